@@ -91,7 +91,8 @@ TEST(Stage, AFailureLeavesTheOutputUntouched)
   try {
     raise.filter(out);
     FAIL() << "99 mm was taken";
-  } catch (const pointmill::ParameterError& e) {
+  }
+  catch (const pointmill::ParameterError& e) {
     EXPECT_NE(std::string(e.what()).find("Raise: height is 99 mm"), std::string::npos)
         << e.what();
   }

@@ -11,10 +11,9 @@
 
 namespace pointmill {
 
-void
-parallelFor(std::size_t count,
-            unsigned threads,
-            const std::function<void(std::size_t)>& body)
+void parallelFor(std::size_t count,
+                 unsigned threads,
+                 const std::function<void(std::size_t)>& body)
 {
   if (threads == 0)
     threads = std::max(1u, std::thread::hardware_concurrency());
@@ -31,7 +30,8 @@ parallelFor(std::size_t count,
     try {
       for (std::size_t i; (i = next.fetch_add(1)) < count;)
         body(i);
-    } catch (...) {
+    }
+    catch (...) {
       next = count;
       const std::lock_guard<std::mutex> lock(failure_mutex);
       if (!failure)

@@ -8,12 +8,11 @@
 
 namespace pointmill {
 
-void
-checkRange(const std::string& stage,
-           const std::string& name,
-           double value,
-           const std::string& unit,
-           Range range)
+void checkRange(const std::string& stage,
+                const std::string& name,
+                double value,
+                const std::string& unit,
+                Range range)
 {
   if (value >= range.low && value <= range.high)
     return;
@@ -24,8 +23,7 @@ checkRange(const std::string& stage,
   throw ParameterError(text.str());
 }
 
-void
-Tool::validate() const
+void Tool::validate() const
 {
   const std::string who = "tool " + std::to_string(number);
   checkRange(who, "number", number, "", {1, 9999});
@@ -34,8 +32,7 @@ Tool::validate() const
   checkRange(who, "flutes", flutes, "", {1, 20});
 }
 
-std::string
-Tool::describe() const
+std::string Tool::describe() const
 {
   std::ostringstream text;
   text.imbue(std::locale::classic());

@@ -21,7 +21,8 @@ public:
   using Error::Error;
 };
 
-/// @brief The input cannot be milled: empty, unreadable, degenerate, or of an absurd size.
+/// @brief The input cannot be milled: empty, unreadable, degenerate, or of an absurd
+/// size.
 class DataError : public Error {
 public:
   using Error::Error;

@@ -18,8 +18,8 @@ struct Cutting {
   bool coolant = true;      ///< flood coolant, M8
 };
 
-/// @brief One tool doing one job: all of its moves, in machining order. The path begins and
-/// ends with the tool's tip on the clearance plane.
+/// @brief One tool doing one job: all of its moves, in machining order. The path begins
+/// and ends with the tool's tip on the clearance plane.
 struct Operation {
   std::string name;
   Tool tool;

@@ -26,12 +26,11 @@ struct ParameterValue {
 
 /// @brief Throws ParameterError naming stage, parameter, value, unit and range unless
 /// `range.low <= value <= range.high`. NaN is always refused.
-void
-checkRange(const std::string& stage,
-           const std::string& name,
-           double value,
-           const std::string& unit,
-           Range range);
+void checkRange(const std::string& stage,
+                const std::string& name,
+                double value,
+                const std::string& unit,
+                Range range);
 
 /// @brief The parameters that @p stage declares in its member template
 /// `parameters(visitor)`, in that order.

@@ -50,9 +50,9 @@ struct EIGEN_ALIGN16 _PointCL {
 };
 
 /// @brief One cutter location. `x y z` is the tool's **tip** in the part frame [mm],
-/// `normal` the surface normal at the contact, `feed` in mm/min, `label` the pass number,
-/// `level` the slice number and `motion` how the tool arrives (@ref Motion). The order of
-/// a CL cloud is the machining order.
+/// `normal` the surface normal at the contact, `feed` in mm/min, `label` the pass
+/// number, `level` the slice number and `motion` how the tool arrives (@ref Motion).
+/// The order of a CL cloud is the machining order.
 struct PointCL : public _PointCL {
   PointCL()
   {
@@ -88,10 +88,10 @@ struct EIGEN_ALIGN16 _PointCell {
   PCL_MAKE_ALIGNED_OPERATOR_NEW
 };
 
-/// @brief One cell of an organised occupancy map (width = columns along X, height = rows
-/// along Y). `x y` is the cell's centre [mm]; `z` is the highest point in it, the bridge
-/// over a gap, or NaN outside the outline; `label` is its @ref CellState and `count` the
-/// number of its points.
+/// @brief One cell of an organised occupancy map (width = columns along X, height =
+/// rows along Y). `x y` is the cell's centre [mm]; `z` is the highest point in it, the
+/// bridge over a gap, or NaN outside the outline; `label` is its @ref CellState and
+/// `count` the number of its points.
 struct PointCell : public _PointCell {
   PointCell()
   {

@@ -9,7 +9,8 @@
 
 namespace pointmill {
 
-/// @brief What a stage handled and measured, as named figures in the order they were set
+/// @brief What a stage handled and measured, as named figures in the order they were
+/// set
 /// ("nan_points" 12, "gap_area_mm2" 3.4, ...). Units are part of the names.
 class Report {
 public:
@@ -27,14 +28,18 @@ public:
     const auto it = const_cast<Report*>(this)->find(name);
     return it == figures_.end() ? otherwise : it->second;
   }
-  const std::vector<std::pair<std::string, double>>& figures() const { return figures_; }
+  const std::vector<std::pair<std::string, double>>& figures() const
+  {
+    return figures_;
+  }
   void clear() { figures_.clear(); }
 
 private:
   std::vector<std::pair<std::string, double>>::iterator find(const std::string& name)
   {
-    return std::find_if(
-        figures_.begin(), figures_.end(), [&](const auto& f) { return f.first == name; });
+    return std::find_if(figures_.begin(), figures_.end(), [&](const auto& f) {
+      return f.first == name;
+    });
   }
   std::vector<std::pair<std::string, double>> figures_;
 };

@@ -19,10 +19,11 @@ namespace pointmill {
 
 /// @brief A stage that turns a cloud of `In` into a cloud of `Out`, with the verbs of
 /// PCL's filters: `setInputCloud`, `setIndices`, `filter(output)`. It reads only
-/// `*indices_`, treats non-finite points as removed, and throws (pointmill::Error) before
-/// it touches `output`, or not at all.
+/// `*indices_`, treats non-finite points as removed, and throws (pointmill::Error)
+/// before it touches `output`, or not at all.
 ///
-/// A stage that keeps the point type is a `pcl::Filter<PointT>` instead; see @ref Filter.
+/// A stage that keeps the point type is a `pcl::Filter<PointT>` instead; see @ref
+/// Filter.
 template <typename In, typename Out>
 class Stage : public pcl::PCLBase<In> {
 public:
@@ -41,7 +42,7 @@ public:
     if (!this->input_)
       throw DataError(name_ + ": no input cloud was set");
     checkParameters();
-    if (!this->initCompute())
+    if (!this->initCompute() || this->indices_->empty())
       throw DataError(name_ + ": the input cloud or its indices are empty");
     Report fresh;
     std::swap(report_, fresh);
@@ -63,8 +64,8 @@ private:
   std::string name_;
 };
 
-/// @brief Base of the stages that keep the point type: a `pcl::Filter` that throws instead
-/// of printing and leaves its output untouched when it does.
+/// @brief Base of the stages that keep the point type: a `pcl::Filter` that throws
+/// instead of printing and leaves its output untouched when it does.
 template <typename PointT>
 class Filter : public pcl::Filter<PointT> {
 public:
@@ -123,8 +124,8 @@ template <typename F>
 using OutputOf = decltype(pointOf(static_cast<F*>(nullptr)));
 } // namespace detail
 
-/// @brief Runs @p cloud through one filter after the other, PCL's and PointMill's mixed;
-/// a chain whose point types do not fit is a compile error.
+/// @brief Runs @p cloud through one filter after the other, PCL's and PointMill's
+/// mixed; a chain whose point types do not fit is a compile error.
 /// @return the last filter's cloud, never null
 template <typename PointT, typename First, typename... Rest>
 auto run(const typename pcl::PointCloud<PointT>::ConstPtr& cloud,
@@ -145,8 +146,7 @@ auto run(const std::shared_ptr<pcl::PointCloud<PointT>>& cloud,
          First& first,
          Rest&... rest)
 {
-  return run<PointT>(
-      typename pcl::PointCloud<PointT>::ConstPtr(cloud), first, rest...);
+  return run<PointT>(typename pcl::PointCloud<PointT>::ConstPtr(cloud), first, rest...);
 }
 
 } // namespace pointmill

@@ -9,16 +9,21 @@
 
 namespace pointmill {
 
-/// @brief A rotating cutter as a value [mm]: flat, ball and bull end mills are one formula,
-/// a disc of radius `diameter/2 - corner_radius` rolled round by `corner_radius`.
+/// @brief A rotating cutter as a value [mm]: flat, ball and bull end mills are one
+/// formula, a disc of radius `diameter/2 - corner_radius` rolled round by
+/// `corner_radius`.
 struct Tool {
   int number = 1;
   double diameter = 10.0;
-  double corner_radius = 0.0; ///< 0: flat end; diameter / 2: ball end; between: bull nose
-  double flute_length = 0.0;  ///< 0: not given
+  double corner_radius =
+      0.0; ///< 0: flat end; diameter / 2: ball end; between: bull nose
+  double flute_length = 0.0; ///< 0: not given
   int flutes = 2;
 
-  static Tool flat(int number, double diameter) { return {number, diameter, 0.0, 0.0, 2}; }
+  static Tool flat(int number, double diameter)
+  {
+    return {number, diameter, 0.0, 0.0, 2};
+  }
   static Tool ball(int number, double diameter)
   {
     return {number, diameter, diameter / 2, 0.0, 2};
@@ -42,7 +47,8 @@ struct Tool {
     const double u = r - (radius() - corner_radius);
     if (u <= 0.0)
       return 0.0;
-    return corner_radius - std::sqrt(std::max(0.0, corner_radius * corner_radius - u * u));
+    return corner_radius -
+           std::sqrt(std::max(0.0, corner_radius * corner_radius - u * u));
   }
 
   /// @brief The cutter whose surface lies @p allowance outside this one's. Its tip is
