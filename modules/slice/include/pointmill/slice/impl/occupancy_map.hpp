@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the PointMill authors
+#pragma once
+
+#include <pointmill/slice/occupancy_map.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pointmill {
+
+template <typename PointT>
+void OccupancyMap<PointT>::apply(CellCloud& output)
+{
+  const auto finite = [](const PointT& p) {
+    return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
+  };
+  Eigen::Vector2d low =
+      Eigen::Vector2d::Constant(std::numeric_limits<double>::infinity());
+  Eigen::Vector2d high = -low;
+  std::size_t points = 0;
+  for (const auto i : *this->indices_) {
+    const PointT& p = (*this->input_)[i];
+    if (!finite(p))
+      continue;
+    ++points;
+    low = low.cwiseMin(Eigen::Vector2d(p.x, p.y));
+    high = high.cwiseMax(Eigen::Vector2d(p.x, p.y));
+  }
+  if (points == 0)
+    throw DataError("OccupancyMap: no point of the input is finite");
+
+  const CellGrid grid = CellGrid::covering(low, high, cell_size_);
+  std::vector<double> height(grid.size(), std::numeric_limits<double>::quiet_NaN());
+  std::vector<std::uint32_t> count(grid.size(), 0);
+  for (const auto i : *this->indices_) {
+    const PointT& p = (*this->input_)[i];
+    if (!finite(p))
+      continue;
+    const std::size_t at = grid.index(std::min(grid.columnOf(p.x), grid.columns - 1),
+                                      std::min(grid.rowOf(p.y), grid.rows - 1));
+    if (count[at]++ == 0 || p.z > height[at])
+      height[at] = p.z;
+  }
+
+  std::vector<unsigned char> occupied(grid.size());
+  for (std::size_t at = 0; at < grid.size(); ++at)
+    occupied[at] = count[at] > 0;
+  auto gap = findGaps(grid, occupied, gap_reach_);
+  auto regions = gapRegions(grid, occupied, gap, gap_reach_);
+  bridgeGaps(grid, gap, height);
+  double highest =
+      *std::max_element(height.begin(), height.end(), [](double a, double b) {
+        return !(a >= b); // NaN counts as lowest
+      });
+
+  // Only a real gap is for the policy to decide; what lies between points is part.
+  if (policy_ != GapPolicy::Bridge) {
+    const auto to_point = distanceField(occupied, grid.columns, grid.rows);
+    for (std::size_t at = 0; at < grid.size(); ++at) {
+      if (!gap[at] || to_point[at] * grid.cell <= gap_reach_)
+        continue;
+      if (policy_ == GapPolicy::Keep)
+        height[at] = highest;
+      else
+        gap[at] = 0, height[at] = std::numeric_limits<double>::quiet_NaN();
+    }
+  }
+
+  output.resize(grid.size());
+  output.width = static_cast<std::uint32_t>(grid.columns);
+  output.height = static_cast<std::uint32_t>(grid.rows);
+  output.is_dense = false;
+  for (int row = 0; row < grid.rows; ++row)
+    for (int column = 0; column < grid.columns; ++column) {
+      const std::size_t at = grid.index(column, row);
+      PointCell& cell = output[at];
+      cell.x = static_cast<float>(grid.x(column));
+      cell.y = static_cast<float>(grid.y(row));
+      cell.z = static_cast<float>(height[at]);
+      cell.count = count[at];
+      cell.setState(occupied[at] ? CellState::Occupied
+                    : gap[at]    ? CellState::Gap
+                                 : CellState::Empty);
+    }
+
+  gaps_.clear();
+  double area = 0;
+  for (const auto& region : regions)
+    if (!region.between_points) {
+      gaps_.push_back(region);
+      area += region.area;
+    }
+  const auto cells = [&](CellState state) {
+    return static_cast<double>(
+        std::count_if(output.begin(), output.end(), [&](const auto& c) {
+          return c.getState() == state;
+        }));
+  };
+  this->report_.set("points", static_cast<double>(points));
+  this->report_.set("nan_points", static_cast<double>(this->indices_->size() - points));
+  this->report_.set("occupied_cells", cells(CellState::Occupied));
+  this->report_.set("gap_cells", cells(CellState::Gap));
+  this->report_.set("empty_cells", cells(CellState::Empty));
+  this->report_.set("gaps", static_cast<double>(gaps_.size()));
+  this->report_.set("gap_area_mm2", area);
+}
+
+} // namespace pointmill

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the PointMill authors
+#pragma once
+
+#include <pointmill/common/stage.h>
+#include <pointmill/slice/distance_field.h>
+#include <pointmill/slice/gaps.h>
+
+#include <vector>
+
+namespace pointmill {
+
+/// @brief What becomes of the parts of a scan that hold no points.
+enum class GapPolicy {
+  Bridge, ///< a membrane over the gap's rim is protected; nothing is cut below it
+  Keep,   ///< the stock over the gap is left standing at full height
+  Mill    ///< taken for a hole: milled to the floor like the outside
+};
+
+/// @brief The bi-colour map (paper 001): square cells from Gridstart to Gridend, each
+/// with the height of its highest point, as an organised cloud of @ref PointCell. The
+/// one map answers every level: at level z a cell is red (part) where its height is
+/// above z, and yellow (to mill) where it is not.
+///
+/// A third state that the paper does not know is the gap: a cell inside the part's
+/// outline without points. It is a hole in the scan, not air, and carries the height
+/// that
+/// @ref GapPolicy says.
+template <typename PointT>
+class OccupancyMap : public Stage<PointT, PointCell> {
+public:
+  OccupancyMap() : Stage<PointT, PointCell>("OccupancyMap") {}
+
+  /// @brief Edge of a cell [mm].
+  void setCellSize(double cell) { cell_size_ = cell; }
+  double getCellSize() const { return cell_size_; }
+  /// @brief Empty places narrower than twice this [mm] lie between points, not outside
+  /// the part; choose at least the spacing of the points. See measureSpacing().
+  void setGapReach(double reach) { gap_reach_ = reach; }
+  double getGapReach() const { return gap_reach_; }
+  void setGapPolicy(GapPolicy policy) { policy_ = policy; }
+  GapPolicy getGapPolicy() const { return policy_; }
+
+  /// @brief The gaps that the last run found, largest first.
+  const std::vector<GapRegion>& getGaps() const { return gaps_; }
+
+  template <typename V>
+  void parameters(V&& v)
+  {
+    v("cell_size", cell_size_, "mm", Range{0.01, 50}, "edge of one map cell");
+    v("gap_reach", gap_reach_, "mm", Range{0, 100}, "widest void between two points");
+  }
+
+protected:
+  void checkParameters() const override { validateParameters(*this, this->getName()); }
+  void apply(CellCloud& output) override;
+
+private:
+  double cell_size_ = 0.5;
+  double gap_reach_ = 1.0;
+  GapPolicy policy_ = GapPolicy::Bridge;
+  std::vector<GapRegion> gaps_;
+};
+
+} // namespace pointmill
+
+#include <pointmill/slice/impl/occupancy_map.hpp>
+
+namespace pointmill {
+extern template class OccupancyMap<pcl::PointXYZ>;
+extern template class OccupancyMap<pcl::PointXYZI>;
+extern template class OccupancyMap<pcl::PointXYZRGB>;
+extern template class OccupancyMap<pcl::PointXYZRGBA>;
+extern template class OccupancyMap<pcl::PointNormal>;
+} // namespace pointmill

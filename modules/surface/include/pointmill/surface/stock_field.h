@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the PointMill authors
+#pragma once
+
+#include <pointmill/common/point_types.h>
+#include <pointmill/common/stock.h>
+#include <pointmill/common/tool.h>
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace pointmill {
+
+/// @brief What still stands of the stock, as a height over each cell of a regular grid
+/// [mm]. Tools come from above only, so one height says it all.
+class StockField {
+public:
+  enum class Bound {
+    Upper,  ///< never lower than what stands anywhere in the cell: for planning moves
+    Nominal ///< exact at the cell's centre: for simulation
+  };
+
+  /// @throws ParameterError unless the box has volume and 0.01 <= cell [mm]
+  StockField(const Stock& stock, double cell, Bound bound);
+
+  /// @brief Moves @p tool straight from @p a to @p b through the cells of rows
+  /// [@p row0, @p row1), so that threads can share the work by rows.
+  /// @return the thickest layer that it took from a cell's centre [mm], 0 in the air
+  double cut(const Tool& tool,
+             const Eigen::Vector3d& a,
+             const Eigen::Vector3d& b,
+             int row0,
+             int row1);
+  double cut(const Tool& tool, const Eigen::Vector3d& a, const Eigen::Vector3d& b)
+  {
+    return cut(tool, a, b, 0, rows_);
+  }
+
+  /// @brief The highest stock within @p radius of the segment from (ax, ay) to (bx,
+  /// by), -infinity where there is none.
+  double highest(double ax, double ay, double bx, double by, double radius) const;
+  double highest(double x, double y, double radius) const
+  {
+    return highest(x, y, x, y, radius);
+  }
+
+  int columns() const { return columns_; }
+  int rows() const { return rows_; }
+  double cellSize() const { return cell_; }
+  double x(int column) const { return stock_.min.x() + (column + 0.5) * cell_; }
+  double y(int row) const { return stock_.min.y() + (row + 0.5) * cell_; }
+  int rowOf(double y) const;
+  double height(int column, int row) const
+  {
+    return height_[static_cast<std::size_t>(row) * columns_ + column];
+  }
+  const Stock& stock() const { return stock_; }
+
+  /// @brief The field as an organised cloud; z is the height.
+  CellCloud toCloud() const;
+
+private:
+  Stock stock_;
+  double cell_;
+  Bound bound_;
+  int columns_, rows_;
+  std::vector<float> height_;
+};
+
+} // namespace pointmill

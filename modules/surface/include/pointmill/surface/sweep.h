@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the PointMill authors
+#pragma once
+
+#include <pointmill/common/tool.h>
+
+#include <Eigen/Core>
+
+namespace pointmill {
+
+/// @brief Lowest height [mm] that the tool's lower surface reaches over (x, y) while
+/// its tip moves straight from @p a to @p b; infinite where it never passes over.
+/// Closed form for flat and ball, a convex search (to 1e-9 of the move) for a bull
+/// nose.
+double sweptHeight(const Tool& tool,
+                   const Eigen::Vector3d& a,
+                   const Eigen::Vector3d& b,
+                   double x,
+                   double y);
+
+/// @brief How deep [mm] the point @p p gets inside the tool whose tip moves straight
+/// from
+/// @p a to @p b: its distance to the tool's surface from inside, or <= 0 where it stays
+/// outside. The tool reaches up without end; its top is no surface. Beside a vertical
+/// wall this is the horizontal overlap, however high the wall.
+double penetration(const Tool& tool,
+                   const Eigen::Vector3d& a,
+                   const Eigen::Vector3d& b,
+                   const Eigen::Vector3d& p);
+
+/// @brief Squared distance [mm2] in XY from (x, y) to the segment @p a @p b.
+inline double
+segmentDistance2(double ax, double ay, double bx, double by, double x, double y)
+{
+  const double dx = bx - ax, dy = by - ay, len2 = dx * dx + dy * dy;
+  double t = len2 > 0 ? ((x - ax) * dx + (y - ay) * dy) / len2 : 0.0;
+  t = t < 0 ? 0 : t > 1 ? 1 : t;
+  const double ex = ax + t * dx - x, ey = ay + t * dy - y;
+  return ex * ex + ey * ey;
+}
+
+} // namespace pointmill

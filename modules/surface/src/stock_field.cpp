@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the PointMill authors
+#include <pointmill/common/error.h>
+#include <pointmill/common/parameters.h>
+#include <pointmill/surface/stock_field.h>
+#include <pointmill/surface/sweep.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace pointmill {
+
+StockField::StockField(const Stock& stock, double cell, Bound bound)
+    : stock_(stock), cell_(cell), bound_(bound)
+{
+  checkRange("StockField", "cell", cell, "mm", {0.01, 1000});
+  const Eigen::Vector3d size = stock.max - stock.min;
+  if (!(size.minCoeff() > 0))
+    throw ParameterError("StockField: the stock box has no volume");
+  columns_ = std::max(1, static_cast<int>(std::ceil(size.x() / cell - 1e-9)));
+  rows_ = std::max(1, static_cast<int>(std::ceil(size.y() / cell - 1e-9)));
+  height_.assign(static_cast<std::size_t>(columns_) * rows_,
+                 static_cast<float>(stock.max.z()));
+}
+
+int StockField::rowOf(double y) const
+{
+  const double row = std::floor((y - stock_.min.y()) / cell_);
+  return static_cast<int>(std::clamp(row, 0.0, rows_ - 1.0));
+}
+
+double StockField::cut(const Tool& tool,
+                       const Eigen::Vector3d& a,
+                       const Eigen::Vector3d& b,
+                       int row0,
+                       int row1)
+{
+  const double r = tool.radius();
+  const auto index = [&](double v, double origin) {
+    return static_cast<int>(
+        std::clamp((v - origin) / cell_ - 0.5, -1e9, 1e9)); // towards zero: wide enough
+  };
+  const int c0 = std::max(0, index(std::min(a.x(), b.x()) - r, stock_.min.x()));
+  const int c1 =
+      std::min(columns_ - 1, index(std::max(a.x(), b.x()) + r, stock_.min.x()) + 1);
+  const int r0 = std::max(row0, index(std::min(a.y(), b.y()) - r, stock_.min.y()));
+  const int r1 =
+      std::min(row1 - 1, index(std::max(a.y(), b.y()) + r, stock_.min.y()) + 1);
+  const double guard = bound_ == Bound::Upper ? cell_ * std::sqrt(0.5) : 0.0;
+  const double lowest = std::min(a.z(), b.z());
+  const double dx = b.x() - a.x(), dy = b.y() - a.y(), len2 = dx * dx + dy * dy;
+  double deepest = 0;
+  for (int row = r0; row <= r1; ++row) {
+    float* line = &height_[static_cast<std::size_t>(row) * columns_];
+    const double cy = y(row);
+    for (int column = c0; column <= c1; ++column) {
+      if (line[column] <= lowest)
+        continue;
+      const double cx = x(column);
+      double h;
+      if (guard > 0) {
+        // From the place nearest to the cell the whole cell is under the cutter, or it
+        // is left as it stands; the outermost part of the cell counts for its height.
+        double t = len2 > 0 ? ((cx - a.x()) * dx + (cy - a.y()) * dy) / len2
+                            : double(b.z() < a.z());
+        t = std::clamp(t, 0.0, 1.0);
+        const double d = std::hypot(a.x() + t * dx - cx, a.y() + t * dy - cy) + guard;
+        if (d > r)
+          continue;
+        h = a.z() + t * (b.z() - a.z()) + tool.profile(d);
+      }
+      else
+        h = sweptHeight(tool, a, b, cx, cy);
+      if (h < line[column]) {
+        deepest = std::max(deepest, line[column] - h);
+        // float32 must not round an upper bound down
+        float stored = static_cast<float>(h);
+        if (guard > 0 && stored < h)
+          stored = std::nextafter(stored, std::numeric_limits<float>::infinity());
+        line[column] = stored;
+      }
+    }
+  }
+  return deepest;
+}
+
+double
+StockField::highest(double ax, double ay, double bx, double by, double radius) const
+{
+  double best = -std::numeric_limits<double>::infinity();
+  const double reach = radius + cell_ * std::sqrt(0.5);
+  const auto low = [&](double v, double origin) {
+    return static_cast<int>(std::floor((v - reach - origin) / cell_));
+  };
+  const auto high = [&](double v, double origin) {
+    return static_cast<int>(std::floor((v + reach - origin) / cell_));
+  };
+  const int c0 = std::max(0, low(std::min(ax, bx), stock_.min.x()));
+  const int c1 = std::min(columns_ - 1, high(std::max(ax, bx), stock_.min.x()));
+  const int r0 = std::max(0, low(std::min(ay, by), stock_.min.y()));
+  const int r1 = std::min(rows_ - 1, high(std::max(ay, by), stock_.min.y()));
+  for (int row = r0; row <= r1; ++row)
+    for (int column = c0; column <= c1; ++column) {
+      const double h = height(column, row);
+      if (h > best &&
+          segmentDistance2(ax, ay, bx, by, x(column), y(row)) <= reach * reach)
+        best = h;
+    }
+  return best;
+}
+
+CellCloud StockField::toCloud() const
+{
+  CellCloud cloud;
+  cloud.resize(height_.size());
+  cloud.width = static_cast<std::uint32_t>(columns_);
+  cloud.height = static_cast<std::uint32_t>(rows_);
+  for (int row = 0; row < rows_; ++row)
+    for (int column = 0; column < columns_; ++column) {
+      auto& cell = cloud.at(column, row);
+      cell.x = static_cast<float>(x(column));
+      cell.y = static_cast<float>(y(row));
+      cell.z = static_cast<float>(height(column, row));
+      cell.setState(CellState::Occupied);
+    }
+  return cloud;
+}
+
+} // namespace pointmill

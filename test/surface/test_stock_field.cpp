@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the PointMill authors
+#include <pointmill/common/error.h>
+#include <pointmill/surface/stock_field.h>
+
+#include <brute_force.h>
+#include <gtest/gtest.h>
+
+#include <random>
+
+using Eigen::Vector3d;
+using pointmill::Stock;
+using pointmill::StockField;
+using pointmill::Tool;
+
+namespace {
+const Stock kBox{{0, 0, -10}, {20, 10, 0}};
+}
+
+TEST(StockField, AFlatLeavesASlot)
+{
+  StockField field(kBox, 0.1, StockField::Bound::Nominal);
+  const double deepest =
+      field.cut(Tool::flat(1, 4), Vector3d(-5, 5, -1), Vector3d(25, 5, -1));
+  EXPECT_NEAR(deepest, 1.0, 1e-6);
+  for (int row = 0; row < field.rows(); ++row)
+    EXPECT_NEAR(field.height(100, row), std::abs(field.y(row) - 5) <= 2 ? -1 : 0, 1e-6);
+}
+
+TEST(StockField, TwoBallPassesLeaveTheScallopOfTheory)
+{
+  // Scallop between two passes: R - sqrt(R^2 - s^2 / 4).
+  StockField field(kBox, 0.02, StockField::Bound::Nominal);
+  const Tool ball = Tool::ball(1, 3);
+  const double s = 0.6;
+  for (double y : {5 - s / 2, 5 + s / 2})
+    field.cut(ball, Vector3d(-5, y, -1), Vector3d(25, y, -1));
+  const int row = field.rowOf(5.0); // its centre is half a cell off the middle
+  const double away = s / 2 - std::abs(field.y(row) - 5.0);
+  EXPECT_NEAR(away, 0.29, 1e-9);
+  EXPECT_NEAR(
+      field.height(500, row), -1 + 1.5 - std::sqrt(1.5 * 1.5 - away * away), 1e-6);
+}
+
+TEST(StockField, TheUpperBoundIsOne)
+{
+  StockField upper(kBox, 0.5, StockField::Bound::Upper);
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> ux(-2, 22), uy(-2, 12), uz(-6, 1);
+  std::vector<std::pair<Vector3d, Vector3d>> moves;
+  const Tool tools[] = {Tool::flat(1, 5), Tool::ball(2, 4)};
+  for (int i = 0; i < 12; ++i) {
+    moves.emplace_back(Vector3d(ux(random), uy(random), uz(random)),
+                       Vector3d(ux(random), uy(random), uz(random)));
+    upper.cut(tools[i % 2], moves.back().first, moves.back().second);
+  }
+  for (int i = 0; i < 3000; ++i) {
+    const double x = ux(random), y = uy(random);
+    if (x < 0 || x >= 20 || y < 0 || y >= 10)
+      continue;
+    double truth = 0;
+    for (std::size_t k = 0; k < moves.size(); ++k)
+      truth = std::min(
+          truth,
+          brute::swept(tools[k % 2], moves[k].first, moves[k].second, x, y, 200));
+    EXPECT_GE(upper.height(int(x / 0.5), int(y / 0.5)), truth - 0.2) << x << " " << y;
+    EXPECT_GE(upper.highest(x, y, 0.0), truth - 0.2);
+  }
+  EXPECT_LT(upper.height(20, 10), 0.5);
+}
+
+TEST(StockField, HighestSeesAllWithinReach)
+{
+  StockField field(kBox, 0.5, StockField::Bound::Upper);
+  field.cut(Tool::flat(1, 30), Vector3d(-5, 5, -3), Vector3d(10, 5, -3));
+  EXPECT_EQ(field.highest(-50, 5, 2), -INFINITY);
+  EXPECT_EQ(field.highest(0, 5, 2), -3.0);
+  EXPECT_EQ(field.highest(25, 5, 2), -INFINITY);
+  StockField fresh(kBox, 0.5, StockField::Bound::Upper);
+  EXPECT_EQ(fresh.highest(-5, 5, 30, 5, 1), 0.0);
+}
+
+TEST(StockField, RowsCanBeSharedOut)
+{
+  StockField whole(kBox, 0.5, StockField::Bound::Nominal), parts = whole;
+  const Tool ball = Tool::ball(1, 6);
+  const Vector3d a(1, 1, -2), b(18, 9, -4);
+  whole.cut(ball, a, b);
+  for (int row = 0; row < parts.rows(); row += 3)
+    parts.cut(ball, a, b, row, std::min(row + 3, parts.rows()));
+  for (int row = 0; row < parts.rows(); ++row)
+    for (int column = 0; column < parts.columns(); ++column)
+      ASSERT_EQ(parts.height(column, row), whole.height(column, row));
+}
+
+TEST(StockField, RefusesABoxWithoutVolume)
+{
+  EXPECT_THROW(StockField({{0, 0, 0}, {1, 1, 0}}, 0.5, StockField::Bound::Upper),
+               pointmill::ParameterError);
+  EXPECT_THROW(StockField(kBox, 0.0, StockField::Bound::Upper),
+               pointmill::ParameterError);
+}
