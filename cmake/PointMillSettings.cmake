@@ -20,8 +20,6 @@ endif()
 
 find_package(Threads REQUIRED)
 find_package(PCL 1.13 REQUIRED COMPONENTS common kdtree search sample_consensus filters io)
-find_package(VTK REQUIRED COMPONENTS CommonCore CommonDataModel IOImage
-             RenderingFreeType FiltersCore FiltersSources FiltersModeling IOGeometry IOPLY)
 find_package(CLI11 REQUIRED)
 find_package(nlohmann_json REQUIRED)
 

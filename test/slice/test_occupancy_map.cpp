@@ -47,12 +47,13 @@ TEST(OccupancyMap, HoldsTheHighestPointOfEveryCell)
   CellCloud cells;
   map.filter(cells);
   EXPECT_NEAR(CellGrid::of(cells).cell, 0.7, 1e-6);
-  EXPECT_NEAR(CellGrid::of(cells).x0, 0.0, 1e-3); // Gridstart is the least x
   Eigen::Vector2d low(1e9, 1e9), high(-1e9, -1e9);
   for (const auto& p : *cloud) {
     low = low.cwiseMin(Eigen::Vector2d(p.x, p.y));
     high = high.cwiseMax(Eigen::Vector2d(p.x, p.y));
   }
+  EXPECT_NEAR(CellGrid::of(cells).x0, low.x(), 1e-5); // Gridstart
+  EXPECT_NEAR(CellGrid::of(cells).y0, low.y(), 1e-5);
   const CellGrid grid = CellGrid::covering(low, high, 0.7);
   std::vector<float> truth(cells.size(), -1);
   std::vector<unsigned> count(cells.size(), 0);

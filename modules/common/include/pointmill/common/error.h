@@ -12,7 +12,12 @@ namespace pointmill {
 /// from it; a stage that throws has not touched its output.
 class Error : public pcl::PCLException {
 public:
-  explicit Error(const std::string& what) : pcl::PCLException(what) {}
+  explicit Error(const std::string& what) : pcl::PCLException(what), what_(what) {}
+  /// @brief The message alone; PCL's own would begin with an empty place.
+  const char* what() const noexcept override { return what_.c_str(); }
+
+private:
+  std::string what_;
 };
 
 /// @brief A parameter is outside its range or contradicts another one.

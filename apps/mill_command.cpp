@@ -1,0 +1,291 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the PointMill authors
+#include "mill_command.h"
+
+#include <pointmill/mill/mill_job.h>
+
+#include <boost/timer/progress_display.hpp>
+
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
+#include <iostream>
+#include <map>
+#include <unistd.h>
+
+using namespace pointmill;
+
+namespace {
+
+void declareTool(CLI::App& app,
+                 const std::string& name,
+                 const std::string& what,
+                 ToolJob& job)
+{
+  const std::string group = what + ", T" + std::to_string(job.tool.number);
+  app.add_option_function<double>(
+         "--" + name + "-diameter",
+         [&job](double d) {
+           job.tool.corner_radius = job.tool.isBall() ? d / 2 : 0;
+           job.tool.diameter = d;
+         },
+         "diameter of the " + std::string(job.tool.isBall() ? "ball" : "flat") +
+             " end mill")
+      ->type_name("MM")
+      ->default_str(CLI::detail::to_string(job.tool.diameter))
+      ->group(group);
+  const auto add =
+      [&](const char* option, double& value, const char* unit, const char* help) {
+        app.add_option("--" + name + option, value, help)
+            ->type_name(unit)
+            ->capture_default_str()
+            ->group(group);
+      };
+  add("-allowance", job.allowance, "MM", "material to leave on the part");
+  add("-spindle", job.cutting.spindle, "RPM", "spindle speed");
+  add("-feed", job.cutting.feed, "MM/MIN", "feed along the path");
+  add("-plunge-feed", job.cutting.plunge_feed, "MM/MIN", "fastest feed downwards");
+}
+
+/// A bar on the terminal for what takes over a second.
+class Bar {
+public:
+  void operator()(const std::string&, double done)
+  {
+    const std::chrono::duration<double> since =
+        std::chrono::steady_clock::now() - start_;
+    if (!bar_ && since.count() > 1.0)
+      bar_ = std::make_unique<boost::timer::progress_display>(100, std::cerr);
+    if (bar_)
+      *bar_ += static_cast<unsigned long>(100 * done) - bar_->count();
+  }
+  void finish() { (*this)("", 1.0); }
+
+private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  std::unique_ptr<boost::timer::progress_display> bar_;
+};
+
+void printSummary(const MillJob& job, const std::string& directory)
+{
+  const Verification& v = job.verification();
+  double gaps = 0;
+  for (const auto& gap : job.gaps())
+    gaps += gap.area;
+  const Eigen::Vector3d size = job.partSize();
+  std::printf("part       %.2f x %.2f x %.2f mm, %zu points (%zu strays removed)\n",
+              size.x(),
+              size.y(),
+              size.z(),
+              job.part().size(),
+              job.scanFigures().strays);
+  for (const auto& o : job.operations())
+    std::printf(
+        "%-20s %-16s %8zu CL points %9.0f mm cut %8.0f mm rapid %7.1f min %6.2f s\n",
+        o.operation.name.c_str(),
+        o.operation.tool.describe().c_str(),
+        o.figures.cl_points,
+        o.figures.cutting_length,
+        o.figures.rapid_length,
+        o.figures.minutes,
+        o.seconds);
+  std::printf("verified   gouge %.4f mm, residual p50 %.4f p95 %.4f max %.3f mm, "
+              "%zu rapids in stock\n",
+              v.gouge,
+              v.residual.p50,
+              v.residual.p95,
+              v.residual.max,
+              v.rapids_in_stock);
+  std::printf(
+      "not cut    %.1f %% of the points out of reach; %zu gaps of the scan, %.1f mm2, "
+      "protected\n",
+      100.0 * double(v.unreachable_points) / double(v.points),
+      job.gaps().size(),
+      gaps);
+  std::printf("time       %.0f minutes of milling\n", job.minutes());
+  for (const char* name : {"program.ngc", "preview.png", "report.json"})
+    std::printf("%-10s %s\n",
+                name == std::string("program.ngc")   ? "program"
+                : name == std::string("preview.png") ? "picture"
+                                                     : "report",
+                (std::filesystem::path(directory) / name).c_str());
+}
+
+} // namespace
+
+CLI::App* declareMill(CLI::App& app, MillCommand& command)
+{
+  MillOptions& o = command.options;
+  CLI::App* mill = app.add_subcommand(
+      "mill", "turn a scan into a verified NC program with its picture and report");
+  mill->add_option(
+          "SCAN", command.scan, "PCD, PLY, OBJ, STL or text (XYZ, ASC, PTS, CSV)")
+      ->required();
+  mill->add_option(
+          "-o,--output", command.directory, "directory; default: SCAN's name + _nc")
+      ->type_name("DIR");
+  mill->add_flag("-q,--quiet", command.quiet, "print nothing but errors");
+
+  const std::map<std::string, double> units{
+      {"mm", 1}, {"cm", 10}, {"m", 1000}, {"inch", 25.4}};
+  mill->add_option("--units", o.mm_per_unit, "the scan's units")
+      ->transform(CLI::Transformer(units))
+      ->type_name("mm|cm|m|inch")
+      ->default_str("mm")
+      ->check(CLI::Number)
+      ->group("Scan");
+  mill->add_option(
+          "--scale", command.scale, "mm per unit of the scan, instead of --units")
+      ->type_name("S")
+      ->group("Scan");
+  mill->add_option("--fit", o.fit, "scale so that the largest extent is this")
+      ->type_name("MM")
+      ->group("Scan");
+  const std::map<std::string, Up> ups{{"x", Up::X},
+                                      {"-x", Up::MinusX},
+                                      {"y", Up::Y},
+                                      {"-y", Up::MinusY},
+                                      {"z", Up::Z},
+                                      {"-z", Up::MinusZ},
+                                      {"plane", Up::Plane},
+                                      {"pca", Up::Pca}};
+  mill->add_option(
+          "--up", o.up, "direction of the scan that the tool comes from (--up=-z)")
+      ->transform(CLI::Transformer(ups))
+      ->type_name("x|-x|y|-y|z|-z|plane|pca")
+      ->default_str("z")
+      ->group("Scan");
+  mill->add_flag("--no-square", command.no_square, "do not turn the long side to X")
+      ->group("Scan");
+  const std::map<std::string, DatumXY> corners{{"corner", DatumXY::Corner},
+                                               {"centre", DatumXY::Centre}};
+  mill->add_option("--datum", o.datum_xy, "X0 Y0 of the part's bounding box")
+      ->transform(CLI::Transformer(corners))
+      ->type_name("corner|centre")
+      ->default_str("corner")
+      ->group("Scan");
+  const std::map<std::string, DatumZ> tops{{"top", DatumZ::Top},
+                                           {"bottom", DatumZ::Bottom}};
+  mill->add_option("--datum-z", o.datum_z, "Z0 of the part's bounding box")
+      ->transform(CLI::Transformer(tops))
+      ->type_name("top|bottom")
+      ->default_str("top")
+      ->group("Scan");
+  mill->add_flag(
+          "--keep-strays", command.keep_strays, "keep points that have no company")
+      ->group("Scan");
+  const std::map<std::string, GapPolicy> policies{{"bridge", GapPolicy::Bridge},
+                                                  {"keep", GapPolicy::Keep},
+                                                  {"mill", GapPolicy::Mill}};
+  mill->add_option("--gaps",
+                   o.gaps,
+                   "holes of the scan: bridged from their rim and not cut below, "
+                   "left standing, or milled like the outside")
+      ->transform(CLI::Transformer(policies))
+      ->type_name("bridge|keep|mill")
+      ->default_str("bridge")
+      ->group("Scan");
+  mill->add_option("--seed", o.seed, "of all random sampling")
+      ->capture_default_str()
+      ->group("Scan");
+
+  const auto add = [&](const char* name,
+                       double& value,
+                       const char* unit,
+                       const char* help,
+                       const char* group) {
+    mill->add_option(name, value, help)
+        ->type_name(unit)
+        ->capture_default_str()
+        ->group(group);
+  };
+  add("--tolerance",
+      o.tolerance,
+      "MM",
+      "deepest gouge, all errors together",
+      "Accuracy");
+  add("--scallop", o.scallop, "MM", "scallop height of the finishing", "Accuracy");
+  add("--semi-scallop",
+      o.semi_scallop,
+      "MM",
+      "scallop height of the semi-finishing",
+      "Accuracy");
+  add("--cell",
+      o.cell,
+      "MM",
+      "edge of a map cell; 0: a twentieth of the roughing tool",
+      "Accuracy");
+  add("--residual-limit",
+      o.residual_limit,
+      "MM",
+      "refuse where 5 % of the points keep more",
+      "Accuracy");
+  add("--clearance",
+      o.clearance,
+      "MM",
+      "rapids go sideways so far above the stock",
+      "Machine and stock");
+  add("--rapid-rate",
+      o.rapid_rate,
+      "MM/MIN",
+      "for the time estimate",
+      "Machine and stock");
+  add("--stock-margin",
+      o.stock_margin,
+      "MM",
+      "stock beyond the part on each side",
+      "Machine and stock");
+  add("--stock-top", o.stock_top, "MM", "stock above the part", "Machine and stock");
+  mill->add_flag("--no-coolant", command.no_coolant, "no M8")
+      ->group("Machine and stock");
+  const std::map<std::string, RoughingStrategy> strategies{
+      {"zigzag", RoughingStrategy::ZigZag}, {"spiral", RoughingStrategy::Spiral}};
+  mill->add_option("--roughing", o.roughing, "how the roughing goes over a level")
+      ->transform(CLI::Transformer(strategies))
+      ->type_name("zigzag|spiral")
+      ->default_str("zigzag")
+      ->group("Operations");
+  add("--step-down", o.step_down, "MM", "of the roughing; 0: 0.3 d / 4", "Operations");
+  add("--step-over", o.step_over, "MM", "of the roughing; 0: 0.4 d", "Operations");
+  const std::map<std::string, RasterDirection> rasters{{"x", RasterDirection::AlongX},
+                                                       {"y", RasterDirection::AlongY}};
+  mill->add_option("--raster", o.raster, "the finishing lines run along")
+      ->transform(CLI::Transformer(rasters))
+      ->type_name("x|y")
+      ->default_str("x")
+      ->group("Operations");
+  mill->add_option("--threads", o.threads, "0: all of the machine")
+      ->capture_default_str()
+      ->group("Operations");
+  declareTool(*mill, "rough", "Roughing", o.rough);
+  declareTool(*mill, "semi", "Semi-finishing", o.semi);
+  declareTool(*mill, "finish", "Finishing", o.finish);
+  return mill;
+}
+
+int runMill(MillCommand& command)
+{
+  MillOptions& o = command.options;
+  if (command.scale != 0)
+    o.mm_per_unit = command.scale;
+  o.square = !command.no_square;
+  o.remove_strays = !command.keep_strays;
+  for (auto* job : {&o.rough, &o.semi, &o.finish})
+    job->cutting.coolant = !command.no_coolant;
+  if (command.directory.empty())
+    command.directory = std::filesystem::path(command.scan).stem().string() + "_nc";
+
+  MillJob::checkDirectory(command.scan, command.directory);
+  MillJob job(o);
+  Bar bar;
+  const bool shown = !command.quiet && isatty(STDERR_FILENO);
+  if (shown)
+    job.setProgress([&](const std::string& stage, double done) { bar(stage, done); });
+  job.plan(command.scan);
+  job.write(command.directory);
+  if (shown)
+    bar.finish();
+  if (!command.quiet)
+    printSummary(job, command.directory);
+  return 0;
+}

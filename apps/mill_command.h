@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the PointMill authors
+#pragma once
+
+#include <pointmill/mill/mill_options.h>
+
+#include <CLI/CLI.hpp>
+
+#include <memory>
+#include <string>
+
+/// @brief What `pointmill mill` was told on its command line.
+struct MillCommand {
+  pointmill::MillOptions options;
+  std::string scan, directory;
+  double scale = 0;
+  bool quiet = false, no_square = false, keep_strays = false, no_coolant = false;
+};
+
+/// @brief Declares the command and its options.
+CLI::App* declareMill(CLI::App& app, MillCommand& command);
+
+/// @brief Does what the command says. @return the exit code
+int runMill(MillCommand& command);

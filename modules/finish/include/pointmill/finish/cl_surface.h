@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the PointMill authors
+#pragma once
+
+#include <pointmill/common/stage.h>
+#include <pointmill/surface/point_index.h>
+
+#include <cmath>
+#include <memory>
+
+namespace pointmill {
+
+/// @brief Step-over [mm] at which a ball (or the corner of a bull nose) of radius @p r
+/// leaves scallops of height @p h on a flat: `2 sqrt(2 r h - h^2)`.
+inline double stepOverForScallop(double r, double h)
+{
+  return 2 * std::sqrt(std::max(0.0, 2 * r * h - h * h));
+}
+
+/// @brief The way that a raster's lines run.
+enum class RasterDirection { AlongX, AlongY };
+
+/// @brief Raster lines over the cutter-location surface: the tip's height is
+/// `max over the points under the cutter of p.z - profile(|p - c|)` (paper 000, 3.3.2,
+/// corrected), every point counted. One pass (`label`) for every stretch of a line with
+/// points under the cutter, lines in turn forth and back; `normal` is the surface
+/// normal at the contact. Chords between the CL points are not checked: BufferPoints
+/// does that.
+template <typename PointT>
+class CLSurface : public Stage<PointT, PointCL> {
+public:
+  CLSurface() : Stage<PointT, PointCL>("CLSurface") {}
+
+  void setTool(const Tool& tool) { tool_ = tool; }
+  const Tool& getTool() const { return tool_; }
+  /// @brief Distance between lines [mm].
+  void setStepOver(double step) { step_over_ = step; }
+  double getStepOver() const { return step_over_; }
+  /// @brief The step-over that leaves scallops of this height [mm] on a flat; the tool
+  /// must be set before.
+  void setScallop(double height)
+  {
+    step_over_ = stepOverForScallop(tool_.corner_radius, height);
+  }
+  /// @brief Distance between CL points on a line [mm].
+  void setForwardStep(double step) { forward_step_ = step; }
+  double getForwardStep() const { return forward_step_; }
+  /// @brief Material to leave on the part, along its normal [mm].
+  void setAllowance(double allowance) { allowance_ = allowance; }
+  double getAllowance() const { return allowance_; }
+  /// @brief The tip goes no lower than this [mm]; by default the lowest point.
+  void setFloor(double floor) { floor_ = floor; }
+  void setDirection(RasterDirection direction) { direction_ = direction; }
+  /// @brief An index of the same points (and of what bridges their gaps), so that
+  /// several stages share it. By default the stage makes one of its input.
+  void setIndex(std::shared_ptr<const PointIndex> index) { index_ = std::move(index); }
+  void setNumberOfThreads(unsigned threads) { threads_ = threads; }
+
+  template <typename V>
+  void parameters(V&& v)
+  {
+    v("step_over",
+      step_over_,
+      "mm",
+      Range{0.001, 100},
+      "distance between raster lines");
+    v("forward_step",
+      forward_step_,
+      "mm",
+      Range{0.001, 100},
+      "distance between CL points");
+    v("allowance", allowance_, "mm", Range{0, 20}, "material left on the part");
+  }
+
+protected:
+  void checkParameters() const override
+  {
+    validateParameters(*this, this->getName());
+    tool_.validate();
+  }
+  void apply(CLCloud& output) override;
+
+private:
+  Tool tool_ = Tool::ball(1, 3.0);
+  double step_over_ = 0.35, forward_step_ = 0.5, allowance_ = 0.0;
+  double floor_ = -std::numeric_limits<double>::infinity();
+  RasterDirection direction_ = RasterDirection::AlongX;
+  std::shared_ptr<const PointIndex> index_;
+  unsigned threads_ = 0;
+};
+
+/// @brief The raster itself, on numbers: what CLSurface does once it has an index.
+struct Raster {
+  Tool tool;
+  double step_over, forward_step, allowance, floor;
+  RasterDirection direction;
+  unsigned threads;
+
+  CLCloud over(const PointIndex& index) const;
+};
+
+} // namespace pointmill
+
+#include <pointmill/finish/impl/cl_surface.hpp>
+
+namespace pointmill {
+extern template class CLSurface<pcl::PointXYZ>;
+extern template class CLSurface<pcl::PointXYZI>;
+extern template class CLSurface<pcl::PointXYZRGB>;
+extern template class CLSurface<pcl::PointXYZRGBA>;
+extern template class CLSurface<pcl::PointNormal>;
+} // namespace pointmill

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the PointMill authors
+#pragma once
+
+#include <pointmill/common/parallel.h>
+#include <pointmill/finish/buffer_points.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace pointmill {
+
+template <typename PointT>
+void BufferPoints<PointT>::apply(CLCloud& output)
+{
+  auto index = index_;
+  if (!index) {
+    pcl::Indices all(surface_->size());
+    for (std::size_t i = 0; i < all.size(); ++i)
+      all[i] = static_cast<pcl::index_t>(i);
+    index = std::make_shared<PointIndex>(
+        makePointIndex(*surface_, all, pcl::PointCloud<pcl::PointXYZ>()));
+  }
+  const double floor =
+      std::isfinite(floor_) ? floor_ : -std::numeric_limits<double>::infinity();
+
+  // Passes, as ranges of the indices.
+  std::vector<std::size_t> begin;
+  const auto& ids = *this->indices_;
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    const PointCL& p = (*this->input_)[ids[i]];
+    if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z))
+      throw DataError("BufferPoints: CL point " + std::to_string(ids[i]) +
+                      " is not finite");
+    if (i == 0 || p.label != (*this->input_)[ids[i - 1]].label)
+      begin.push_back(i);
+  }
+  begin.push_back(ids.size());
+
+  struct Refined {
+    CLCloud path;
+    std::size_t leaps = 0, raised = 0;
+  };
+  std::vector<Refined> passes(begin.size() - 1);
+  parallelFor(passes.size(), threads_, [&](std::size_t k) {
+    ChordRefiner refiner(*index, tool_, allowance_, floor, tolerance_, shortest_);
+    Refined& mine = passes[k];
+    std::vector<Eigen::Vector3d> chord;
+    Eigen::Vector3d last;
+    for (std::size_t i = begin[k]; i < begin[k + 1]; ++i) {
+      const PointCL& p = (*this->input_)[ids[i]];
+      Eigen::Vector3d at(p.x, p.y, p.z);
+      const double lowest = refiner.lowest(at.x(), at.y());
+      if (at.z() < lowest - 1e-5) { // float32 rounds by less
+        at.z() = lowest;
+        ++mine.raised;
+      }
+      chord.clear();
+      if (i == begin[k])
+        chord.push_back(at);
+      else
+        refiner.refine(last, at, chord);
+      for (const auto& c : chord) {
+        PointCL q = p;
+        q.x = static_cast<float>(c.x());
+        q.y = static_cast<float>(c.y());
+        q.z = static_cast<float>(c.z());
+        mine.path.push_back(q);
+      }
+      last = at;
+    }
+    mine.leaps = refiner.leaps();
+  });
+
+  std::size_t leaps = 0, raised = 0;
+  for (const auto& pass : passes) {
+    output += pass.path;
+    leaps += pass.leaps;
+    raised += pass.raised;
+  }
+  this->report_.set("cl_points_in", static_cast<double>(ids.size()));
+  this->report_.set("cl_points", static_cast<double>(output.size()));
+  this->report_.set("leaps", static_cast<double>(leaps));
+  this->report_.set("raised_points", static_cast<double>(raised));
+}
+
+} // namespace pointmill

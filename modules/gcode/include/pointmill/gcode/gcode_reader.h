@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the PointMill authors
+#pragma once
+
+#include <Eigen/Core>
+
+#include <cstddef>
+#include <functional>
+#include <iosfwd>
+#include <vector>
+
+namespace pointmill {
+
+/// @brief One straight move of the tool's tip, part frame [mm].
+///
+/// A coordinate that the program does not determine is NaN: every axis at the start, X
+/// Y Z after a tool change, Z after a change of the tool length, an axis after `G53`
+/// with a position other than Z0. After `G53 G0 Z0` Z is +infinity, "above everything":
+/// the top of the machine, wherever that is in the part frame. A feed move always has
+/// finite ends; only rapids, which then set or keep the undetermined axes, may not.
+struct ProgramMove {
+  Eigen::Vector3d from, to;
+  double feed = 0.0;    ///< mm/min; 0 for a rapid
+  double spindle = 0.0; ///< rev/min, 0: off, negative: M4
+  std::size_t line = 0; ///< counts from 1
+  int tool = 0;         ///< in the spindle; 0: none or not known
+  bool rapid = false;
+  bool from_known = false; ///< all of @ref from is finite
+};
+
+/// @brief What a program does.
+struct Program {
+  std::vector<ProgramMove> moves;
+  std::vector<int> tools; ///< in the order of M6
+  std::size_t lines = 0;  ///< read, up to the end of the program
+  bool ended = false;     ///< M2 or M30 seen
+  /// @brief Largest G64 P [mm]: how far corners may be blended. Infinite for G64
+  /// without P, 0 with only G61 or G61.1, -1 where the program leaves it to the
+  /// machine.
+  double blend = -1.0;
+  /// @brief Largest G64 Q [mm], within which the control merges lines **in addition**;
+  /// P where Q is not given, as LinuxCNC does.
+  double merge = 0.0;
+  bool inches = false; ///< G20 seen; moves are in mm all the same
+};
+
+/// @brief Reads RS-274 as LinuxCNC understands it, without macros: G0-G4 G17-G21 G40
+/// G43 G49 G53 G54-G59 G61 G61.1 G64 G80 G90 G91 G91.1 G94, M0-M6 M8 M9 M30, F H I J K
+/// N P Q R S T X Y Z, comments and `%`.
+///
+/// Arcs become chords. A program starts with LinuxCNC's G17 G90 G94; nothing else is
+/// guessed: a word that is unknown, doubled, in conflict with another or without
+/// effect, a length before G20 or G21, a feed move from an unknown position or without
+/// F, and a second work offset are DataErrors that name line, column and word, as "line
+/// 12, column 5: G81 (canned drilling) is not supported". It shares no code with
+/// GCodeWriter.
+class GCodeReader {
+public:
+  using MoveHandler = std::function<void(const ProgramMove&)>;
+
+  /// @brief Distance between an arc and its chords [mm], 1e-6 .. 1.
+  void setChordError(double error) { chord_error_ = error; }
+  double getChordError() const { return chord_error_; }
+
+  /// @brief Reads until M2, M30, the closing `%` or the end of @p in. 80 bytes a move.
+  Program read(std::istream& in) const;
+
+  /// @brief The same for programs of any size: @p handler gets each move, `moves` stays
+  /// empty.
+  Program read(std::istream& in, const MoveHandler& handler) const;
+
+private:
+  double chord_error_ = 1e-4;
+};
+
+/// @brief GCodeReader with its defaults.
+inline Program readProgram(std::istream& in)
+{
+  return GCodeReader().read(in);
+}
+
+} // namespace pointmill

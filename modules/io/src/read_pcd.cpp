@@ -1,0 +1,273 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the PointMill authors
+#include "readers.h"
+#include "scalar.h"
+#include "text.h"
+
+#include <pcl/io/lzf.h>
+
+// Not pcl::PCDReader: it allocates whatever the header announces before it looks at the
+// data.
+namespace pointmill::detail {
+
+namespace {
+
+using Count = unsigned long long;
+
+struct Field {
+  std::string name;
+  Count size = 4;
+  char type = 'F';
+  Count count = 1;
+};
+
+struct Header {
+  std::vector<Field> fields;
+  Count width = 0, height = 1, points = 0;
+  bool has_width = false, has_points = false;
+  std::string data;
+  Text body{nullptr, nullptr};
+};
+
+constexpr const char* no_pcd = "is not a PCD file; save it as PCD or name it as it is";
+
+Scalar scalarOf(const Field& field, const Source& source)
+{
+  const std::string code = field.type + std::to_string(field.size);
+  constexpr const char* codes[] = {
+      "I1", "U1", "I2", "U2", "I4", "U4", "I8", "U8", "F4", "F8"};
+  for (int i = 0; i < 10; ++i)
+    if (code == codes[i])
+      return static_cast<Scalar>(i);
+  source.fail("its PCD field '" + field.name + "' has the unknown type " + code +
+              "; export it again");
+}
+
+// Reads one value per field with `set(field, word)`.
+template <typename Set>
+void eachField(Header& header, Text& line, const Source& source, Set set)
+{
+  for (Field& field : header.fields) {
+    skipBlanks(line);
+    if (line.done() || !set(field, line))
+      source.failAt(line.at,
+                    "the PCD header does not describe every field; export the "
+                    "scan again");
+  }
+}
+
+Header readHeader(const Source& source)
+{
+  constexpr Count most = 0xffffffffu;
+  Header header;
+  Text rest{source.begin(), source.end()};
+  Text line{};
+  while (takeLine(rest, line)) {
+    const Text whole = line;
+    const std::string key = takeWord(line);
+    const auto number = [&](Text& text, Count& value, Count limit) {
+      return takeWholeNumber(text, value) && value <= limit;
+    };
+    bool good = true;
+    if (key.empty() || key[0] == '#' || key == "VERSION" || key == "VIEWPOINT")
+      continue;
+    if (key == "FIELDS" || key == "COLUMNS") {
+      for (std::string name; !(name = takeWord(line)).empty();) {
+        header.fields.emplace_back();
+        header.fields.back().name = name;
+      }
+    }
+    else if (key == "SIZE")
+      eachField(header, line, source, [&](Field& field, Text& text) {
+        return number(text, field.size, 8);
+      });
+    else if (key == "TYPE")
+      eachField(header, line, source, [&](Field& field, Text& text) {
+        field.type = takeWord(text)[0];
+        return true;
+      });
+    else if (key == "COUNT")
+      eachField(header, line, source, [&](Field& field, Text& text) {
+        return number(text, field.count, 1000000);
+      });
+    else if (key == "WIDTH")
+      good = header.has_width = number(line, header.width, most);
+    else if (key == "HEIGHT")
+      good = number(line, header.height, most);
+    else if (key == "POINTS")
+      good = header.has_points = number(line, header.points, most * most);
+    else if (key == "DATA") {
+      header.data = takeWord(line);
+      header.body = rest;
+      break;
+    }
+    else
+      source.fail(no_pcd);
+    if (!good)
+      source.failAt(whole.at,
+                    "the PCD header says " + quoted(whole) +
+                        ", which is no count; export the scan again");
+  }
+  if (header.fields.empty() || header.data.empty())
+    source.fail(no_pcd);
+  if (!header.has_points)
+    header.points = header.width * header.height;
+  else if (header.has_width && header.width * header.height != header.points)
+    source.fail("its PCD header contradicts itself: WIDTH x HEIGHT is not POINTS; "
+                "export the scan again");
+  return header;
+}
+
+std::size_t indexOf(const std::string& name, const Header& header, const Source& source)
+{
+  for (std::size_t i = 0; i < header.fields.size(); ++i)
+    if (header.fields[i].name == name && header.fields[i].count == 1)
+      return i;
+  source.fail("has no field '" + name + "'; export the scan with x, y and z");
+}
+
+void readAscii(const Header& header,
+               const std::array<std::size_t, 3>& axes,
+               const Source& source,
+               RawScan& scan)
+{
+  // In words per row.
+  std::array<Count, 3> column{};
+  Count columns = 0;
+  for (std::size_t i = 0; i < header.fields.size(); ++i) {
+    for (int axis = 0; axis < 3; ++axis)
+      if (axes[axis] == i)
+        column[axis] = columns;
+    columns += header.fields[i].count;
+  }
+  Text rest = header.body;
+  // A row takes at least one digit and one blank per column.
+  if (header.points > static_cast<Count>(rest.end - rest.at + 1) / (2 * columns))
+    source.failShort(header.points, "points");
+  scan.points.reserve(header.points);
+  Text line{};
+  while (takeLine(rest, line)) {
+    const Text whole = line;
+    skipBlanks(line);
+    if (line.done())
+      continue;
+    if (scan.points.size() == header.points)
+      source.failAt(line.at,
+                    "more points than the " + std::to_string(header.points) +
+                        " announced; correct WIDTH, HEIGHT and POINTS");
+    Eigen::Vector3d point;
+    Count word = 0;
+    for (; word < columns && !line.done(); ++word, skipBlanks(line)) {
+      bool wanted = false;
+      for (int axis = 0; axis < 3; ++axis)
+        if (column[axis] == word) {
+          wanted = true;
+          if (!takeWholeNumber(line, point[axis]))
+            source.failAt(whole.at,
+                          quoted(whole) + " is not a row of numbers; export "
+                                          "the scan again");
+        }
+      if (!wanted)
+        skipWord(line);
+    }
+    if (word < columns || !line.done())
+      source.failAt(whole.at,
+                    "a row of " + std::to_string(columns) +
+                        " values was expected; copy or export the scan again");
+    scan.points.push_back(point);
+  }
+  if (scan.points.size() < header.points)
+    source.failShort(header.points, "points");
+}
+
+// Where one coordinate of every point stands.
+struct Column {
+  const char* first;
+  std::size_t stride;
+  Scalar type;
+};
+
+void readColumns(const std::array<Column, 3>& columns, Count points, RawScan& scan)
+{
+  scan.points.resize(points);
+  for (int axis = 0; axis < 3; ++axis) {
+    const char* from = columns[axis].first;
+    for (auto& point : scan.points) {
+      point[axis] = load(columns[axis].type, from);
+      from += columns[axis].stride;
+    }
+  }
+}
+
+// The data as it was before compression. Its size stands in the file twice: in the data
+// and as the product of the header's counts.
+std::vector<char> decompress(const Header& header, Count row, const Source& source)
+{
+  const Text body = header.body;
+  const auto held = static_cast<Count>(body.end - body.at);
+  const Count packed = held < 8 ? 0 : loadAs<std::uint32_t>(body.at);
+  const Count size = held < 8 ? 0 : loadAs<std::uint32_t>(body.at + 4);
+  if (held < 8 || packed > held - 8)
+    source.failShort(header.points, "points");
+  // LZF packs at most 264 bytes into 3: more is no honest size to allocate.
+  const char* broken = "its compressed data is damaged; copy or export it again";
+  if (header.points > size / row || header.points * row != size || size / 88 > packed)
+    source.fail(broken);
+  std::vector<char> data(size);
+  if (size > 0 && pcl::lzfDecompress(body.at + 8,
+                                     static_cast<unsigned>(packed),
+                                     data.data(),
+                                     static_cast<unsigned>(size)) != size)
+    source.fail(broken);
+  return data;
+}
+
+} // namespace
+
+RawScan readPcd(const Source& source)
+{
+  const Header header = readHeader(source);
+  RawScan scan;
+  scan.format = "PCD";
+  std::array<std::size_t, 3> axes{};
+  std::array<Column, 3> columns{};
+  for (int axis = 0; axis < 3; ++axis) {
+    axes[axis] = indexOf(std::string(1, static_cast<char>('x' + axis)), header, source);
+    columns[axis].type = scalarOf(header.fields[axes[axis]], source);
+  }
+  if (header.data == "ascii") {
+    readAscii(header, axes, source, scan);
+    return scan;
+  }
+  std::vector<std::size_t> before; // bytes of a row before each field
+  Count row = 0;
+  for (const Field& field : header.fields) {
+    before.push_back(row);
+    row += field.size * field.count;
+  }
+  if (header.data == "binary") {
+    const Text body = header.body;
+    if (header.points > static_cast<Count>(body.end - body.at) / row)
+      source.failShort(header.points, "points");
+    for (int axis = 0; axis < 3; ++axis) {
+      columns[axis].first = body.at + before[axes[axis]];
+      columns[axis].stride = row;
+    }
+    readColumns(columns, header.points, scan);
+  }
+  else if (header.data == "binary_compressed") {
+    // All of the first field comes first, then all of the second, ...
+    const std::vector<char> data = decompress(header, row, source);
+    for (int axis = 0; axis < 3; ++axis) {
+      columns[axis].first = data.data() + before[axes[axis]] * header.points;
+      columns[axis].stride = header.fields[axes[axis]].size;
+    }
+    readColumns(columns, header.points, scan);
+  }
+  else
+    source.fail("its PCD data is of the unknown kind '" + header.data +
+                "'; save it as binary");
+  return scan;
+}
+
+} // namespace pointmill::detail

@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the PointMill authors
+#include "ramp.h"
+
+#include <pointmill/link/link_passes.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace pointmill {
+namespace {
+
+using Eigen::Vector3d;
+
+/// Thinner stock than this over an entry or a link is swarf, not material [mm].
+constexpr double kNothing = 0.05;
+/// A stay-down link may cut this deep into stock that no pass has taken [mm].
+constexpr double kLinkDepth = 0.5;
+
+Vector3d position(const PointCL& p)
+{
+  return {p.x, p.y, p.z};
+}
+
+/// Builds the path point by point: sets feeds and cuts the stock.
+class Builder {
+public:
+  Builder(const Tool& tool, const Cutting& cutting, StockField* stock, CLCloud& path)
+      : tool_(tool), cutting_(cutting), stock_(stock), path_(path)
+  {
+  }
+
+  void add(const Vector3d& to, Motion motion, const PointCL& like)
+  {
+    PointCL p = like;
+    p.x = static_cast<float>(to.x());
+    p.y = static_cast<float>(to.y());
+    p.z = static_cast<float>(to.z());
+    p.setMotion(motion);
+    const bool feeds = motion != Motion::Rapid && motion != Motion::Retract;
+    const Vector3d at = position(p);
+    if (path_.empty()) {
+      p.feed = 0;
+      path_.push_back(p);
+      return;
+    }
+    const Vector3d from = position(path_.back());
+    if (from == at)
+      return;
+    p.feed = feeds ? static_cast<float>(feedFor(from, at, motion)) : 0.f;
+    if (stock_ && feeds)
+      stock_->cut(tool_, from, at);
+    path_.push_back(p);
+  }
+
+  const PointCL& last() const { return path_.back(); }
+  bool empty() const { return path_.empty(); }
+
+private:
+  double feedFor(const Vector3d& from, const Vector3d& to, Motion motion) const
+  {
+    double feed = cutting_.feed;
+    if (motion == Motion::Plunge)
+      feed = cutting_.plunge_feed;
+    else if (motion == Motion::Ramp)
+      feed = std::max(cutting_.plunge_feed, cutting_.feed / 2);
+    const double down = from.z() - to.z();
+    if (down > 0) // never down faster than the plunge feed
+      feed = std::min(feed, cutting_.plunge_feed * (to - from).norm() / down);
+    return feed;
+  }
+
+  const Tool& tool_;
+  const Cutting& cutting_;
+  StockField* stock_;
+  CLCloud& path_;
+};
+
+} // namespace
+
+void LinkPasses::checkParameters() const
+{
+  validateParameters(*this, getName());
+  tool_.validate();
+  checkRange(getName(), "feed", cutting_.feed, "mm/min", {1, 1e5});
+  checkRange(getName(), "plunge_feed", cutting_.plunge_feed, "mm/min", {1, 1e5});
+  if (stock_ && !(clearance_ > stock_->stock().top()))
+    throw ParameterError("LinkPasses: the clearance plane is not above the stock");
+}
+
+void LinkPasses::apply(CLCloud& output)
+{
+  const Tool grown = tool_.grown(allowance_);
+  Builder path(tool_, cutting_, stock_.get(), output);
+  const double nothing = -std::numeric_limits<double>::infinity();
+  std::size_t ramps = 0, plunges = 0, links = 0, retracts = 0, passes = 0;
+
+  const auto& ids = *indices_;
+  std::vector<Vector3d> pass;
+  for (std::size_t begin = 0; begin < ids.size();) {
+    std::size_t end = begin;
+    const std::uint32_t label = (*input_)[ids[begin]].label;
+    pass.clear();
+    for (; end < ids.size() && (*input_)[ids[end]].label == label; ++end) {
+      const Vector3d p = position((*input_)[ids[end]]);
+      if (!p.allFinite())
+        throw DataError("LinkPasses: CL point " + std::to_string(ids[end]) +
+                        " is not finite");
+      if (p.z() > clearance_)
+        throw DataError("LinkPasses: CL point " + std::to_string(ids[end]) +
+                        " lies above the clearance plane");
+      pass.push_back(p);
+    }
+    const PointCL& first = (*input_)[ids[begin]];
+    const Vector3d start = pass.front();
+    const double around = tool_.radius();
+
+    bool linked = false;
+    if (!path.empty() && part_ && stay_down_ > 0) {
+      const Vector3d from = position(path.last());
+      const double away = (start - from).head<2>().norm();
+      if (away <= stay_down_) {
+        double z = part_->dropAlong(grown, from.x(), from.y(), start.x(), start.y());
+        z = std::max({z + allowance_, floor_, from.z(), start.z()});
+        const double stock =
+            stock_ ? stock_->highest(from.x(), from.y(), start.x(), start.y(), around)
+                   : nothing;
+        if (z < clearance_ && stock <= z + kLinkDepth) {
+          path.add({from.x(), from.y(), z}, Motion::Link, first);
+          path.add({start.x(), start.y(), z}, Motion::Link, first);
+          path.add(start, Motion::Link, first);
+          linked = true;
+          ++links;
+        }
+      }
+    }
+    if (!linked) {
+      if (!path.empty()) {
+        const Vector3d from = position(path.last());
+        path.add({from.x(), from.y(), clearance_}, Motion::Retract, first);
+        ++retracts;
+      }
+      path.add({start.x(), start.y(), clearance_}, Motion::Rapid, first);
+      const double top = stock_ ? stock_->highest(start.x(), start.y(), around)
+                                : start.z();
+      const double down = std::max(top, start.z()) + approach_;
+      if (down < clearance_)
+        path.add({start.x(), start.y(), down}, Motion::Rapid, first);
+      if (top > start.z() + kNothing) {
+        const double above = std::min(top + kNothing, clearance_) - start.z();
+        const auto ramp = rampAlong(pass, above, ramp_angle_, 2 * tool_.diameter);
+        ramps += !ramp.empty();
+        plunges += ramp.empty();
+        if (!ramp.empty()) {
+          path.add(ramp.front(), Motion::Plunge, first); // through the air
+          for (const auto& p : ramp)
+            path.add(p, Motion::Ramp, first);
+        }
+      }
+      path.add(start, Motion::Plunge, first);
+    }
+    for (std::size_t i = 1; i < pass.size(); ++i)
+      path.add(pass[i], Motion::Cut, (*input_)[ids[begin + i]]);
+    ++passes;
+    begin = end;
+  }
+  const Vector3d from = position(path.last());
+  path.add({from.x(), from.y(), clearance_}, Motion::Retract, path.last());
+  ++retracts;
+
+  report_.set("passes", static_cast<double>(passes));
+  report_.set("links", static_cast<double>(links));
+  report_.set("retracts", static_cast<double>(retracts));
+  report_.set("ramps", static_cast<double>(ramps));
+  report_.set("plunges", static_cast<double>(plunges));
+}
+
+PathFigures measurePath(const CLCloud& path, double rapid_rate)
+{
+  PathFigures figures;
+  figures.cl_points = path.size();
+  std::uint32_t label = 0;
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    if (i == 0 || path[i].label != label) {
+      label = path[i].label;
+      ++figures.passes;
+    }
+    if (i == 0)
+      continue;
+    const double length = (position(path[i]) - position(path[i - 1])).norm();
+    const Motion motion = path[i].getMotion();
+    figures.retracts += motion == Motion::Retract;
+    if (motion == Motion::Rapid || motion == Motion::Retract) {
+      figures.rapid_length += length;
+      figures.minutes += length / rapid_rate;
+    }
+    else {
+      figures.cutting_length += length;
+      figures.minutes += length / path[i].feed;
+    }
+  }
+  return figures;
+}
+
+} // namespace pointmill

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the PointMill authors
+#pragma once
+
+#include <pointmill/common/report.h>
+#include <pointmill/link/link_passes.h>
+#include <pointmill/mill/mill_options.h>
+#include <pointmill/slice/spacing.h>
+#include <pointmill/verify/program_verifier.h>
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace pointmill {
+
+/// @brief One operation as planned, with what is worth telling.
+struct PlannedOperation {
+  Operation operation;
+  double allowance = 0;
+  std::vector<ParameterValue> parameters;
+  Report report;
+  PathFigures figures;
+  double seconds = 0; ///< to compute
+};
+
+/// @brief The scan as it was taken up.
+struct ScanFigures {
+  std::string format;
+  std::size_t vertices = 0, faces = 0, sampled = 0, nan_points = 0, strays = 0;
+  double scale = 1; ///< mm per file unit
+  Spacing spacing;
+};
+
+/// @brief The main job: from the file of a scan to a verified NC program with its
+/// picture and report.
+///
+/// `plan()` does everything in memory and throws VerificationError when the program,
+/// read back from its text, fails; `write()` puts the files into a directory. Nothing
+/// is ever written of a program that did not pass.
+class MillJob {
+public:
+  /// @brief Called when a stage begins, with the share of the work that is done.
+  using Progress = std::function<void(const std::string& stage, double done)>;
+
+  explicit MillJob(MillOptions options) : options_(std::move(options)) {}
+
+  void setProgress(Progress progress) { progress_ = std::move(progress); }
+
+  /// @throws ParameterError, DataError, VerificationError
+  void plan(const std::string& scan);
+
+  /// @brief Writes program.ngc, part.pcd, cl.pcd, preview.png, occupancy_*.png and
+  /// report.json. The directory is made if need be; each file is written beside and
+  /// renamed, the program last.
+  /// @throws DataError
+  void write(const std::string& directory);
+
+  /// @brief Refuses (DataError) a directory that would overwrite the scan or is a file.
+  static void checkDirectory(const std::string& scan, const std::string& directory);
+
+  const MillOptions& options() const { return options_; }
+  const std::vector<PlannedOperation>& operations() const { return operations_; }
+  const Verification& verification() const { return verification_; }
+  const std::string& program() const { return program_; }
+  const pcl::PointCloud<pcl::PointXYZ>& part() const { return *part_; }
+  /// @brief Extents of the part's points [mm].
+  Eigen::Vector3d partSize() const { return points_->max() - points_->min(); }
+  const CellCloud& map() const { return *map_; }
+  const std::vector<GapRegion>& gaps() const { return gaps_; }
+  const Stock& stock() const { return stock_; }
+  const ScanFigures& scanFigures() const { return scan_; }
+  const Eigen::Matrix4d& alignment() const { return alignment_; }
+  const std::vector<std::pair<std::string, double>>& seconds() const
+  {
+    return seconds_;
+  }
+  double clearancePlane() const { return stock_.top() + options_.clearance; }
+  double floor() const { return floor_; }
+  double minutes() const;
+
+private:
+  void readAndAlign(const std::string& scan);
+  void makeMap();
+  void planRoughing(const ToolJob& job, const std::string& name, double min_thickness);
+  void planFinishing(const ToolJob& job, const std::string& name, double scallop);
+  void link(PlannedOperation& planned, const CLCloud& passes, bool stay_down);
+  void writeProgram();
+  void verify();
+  void timed(const std::string& stage, double done, const std::function<void()>& work);
+
+  MillOptions options_;
+  Progress progress_;
+  std::string scan_path_, scan_name_;
+  ScanFigures scan_;
+  Eigen::Matrix4d alignment_ = Eigen::Matrix4d::Identity();
+  pcl::PointCloud<pcl::PointXYZ>::Ptr part_;
+  CellCloud::Ptr map_;
+  std::vector<GapRegion> gaps_;
+  std::shared_ptr<const PointIndex> points_;  // the part's own points
+  std::shared_ptr<const PointIndex> surface_; // and what bridges its gaps
+  Stock stock_;
+  std::shared_ptr<StockField> standing_;
+  double floor_ = 0;
+  std::vector<PlannedOperation> operations_;
+  std::string program_;
+  Verification verification_;
+  std::vector<std::pair<std::string, double>> seconds_;
+};
+
+} // namespace pointmill

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the PointMill authors
+#pragma once
+
+#include <pointmill/align/z_alignment.h>
+#include <pointmill/common/operation.h>
+#include <pointmill/finish/cl_surface.h>
+#include <pointmill/slice/occupancy_map.h>
+
+#include <cstdint>
+#include <string>
+
+namespace pointmill {
+
+/// @brief How the roughing goes over a level.
+enum class RoughingStrategy { ZigZag, Spiral };
+
+/// @brief What one tool does, as a user sets it.
+struct ToolJob {
+  Tool tool;
+  Cutting cutting;
+  double allowance = 0; ///< material to leave, mm
+};
+
+/// @brief Everything that can be said about the job of milling one scan. The defaults
+/// are the papers' tools (roughing flat 10 mm, semi-finishing ball 5 mm, finishing ball
+/// 3 mm) with feeds and speeds for aluminium on a small machine.
+struct MillOptions {
+  // the scan
+  double mm_per_unit = 1.0;
+  double fit = 0.0; ///< 0: off; largest extent of the part [mm]
+  Up up = Up::Z;
+  bool square = true;
+  DatumXY datum_xy = DatumXY::Corner;
+  DatumZ datum_z = DatumZ::Top;
+  bool remove_strays = true;
+  GapPolicy gaps = GapPolicy::Bridge;
+  std::uint32_t seed = 1;
+
+  // accuracy
+  double tolerance = 0.02; ///< deepest a point may get into a tool, all errors together
+  double scallop = 0.01;   ///< of the finishing [mm]
+  double semi_scallop = 0.05;
+  double cell = 0.0; ///< of the map [mm]; 0: from tool and spacing
+
+  // the machine
+  double clearance = 5.0; ///< rapids go sideways so far above the stock [mm]
+  double rapid_rate = 5000.0;
+  double stock_margin = 0.0; ///< stock beyond the part on each side in X and Y [mm]
+  double stock_top = 0.0;    ///< stock above the part's highest point [mm]
+
+  // the operations
+  RoughingStrategy roughing = RoughingStrategy::ZigZag;
+  double step_down = 0.0; ///< of the roughing; 0: 0.3 d / 4
+  double step_over = 0.0; ///< of the roughing; 0: 0.4 d
+  RasterDirection raster = RasterDirection::AlongX;
+  ToolJob rough{Tool::flat(1, 10.0), {8000, 1200, 300, true}, 0.5};
+  ToolJob semi{Tool::ball(2, 5.0), {12000, 1200, 300, true}, 0.2};
+  ToolJob finish{Tool::ball(3, 3.0), {16000, 1000, 300, true}, 0.0};
+
+  double residual_limit = 1.0; ///< refuse where 5 % of the points keep more [mm]
+  unsigned threads = 0;
+
+  /// @throws ParameterError
+  void validate() const;
+};
+
+/// @brief How the tolerance is spent.
+struct ErrorBudget {
+  double chord;    ///< chords against the true cutter-location curve
+  double blend;    ///< the control's rounding of corners (G64 P)
+  double rounding; ///< of the program's decimals and of float32
+
+  static ErrorBudget of(double tolerance);
+};
+
+} // namespace pointmill

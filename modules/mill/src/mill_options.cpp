@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the PointMill authors
+#include <pointmill/mill/mill_options.h>
+
+namespace pointmill {
+
+void MillOptions::validate() const
+{
+  const std::string who = "pointmill mill";
+  checkRange(who, "--tolerance", tolerance, "mm", {0.002, 1});
+  checkRange(who, "--scallop", scallop, "mm", {0.0005, 1});
+  checkRange(who, "--semi-scallop", semi_scallop, "mm", {0.0005, 2});
+  checkRange(who, "--cell", cell, "mm", {0, 20});
+  checkRange(who, "--clearance", clearance, "mm", {0.5, 500});
+  checkRange(who, "--rapid-rate", rapid_rate, "mm/min", {10, 1e5});
+  checkRange(who, "--stock-margin", stock_margin, "mm", {0, 500});
+  checkRange(who, "--stock-top", stock_top, "mm", {0, 500});
+  checkRange(who, "--step-down", step_down, "mm", {0, 50});
+  checkRange(who, "--step-over", step_over, "mm", {0, rough.tool.diameter});
+  checkRange(who, "--residual-limit", residual_limit, "mm", {0.001, 1000});
+  checkRange(who, "--fit", fit, "mm", {0, 3000});
+  checkRange(who, "--units/--scale", mm_per_unit, "mm per unit", {1e-6, 1e6});
+  for (const auto* job : {&rough, &semi, &finish}) {
+    job->tool.validate();
+    const std::string tool = who + ": " + job->tool.describe();
+    checkRange(tool, "spindle", job->cutting.spindle, "rpm", {1, 200000});
+    checkRange(tool, "feed", job->cutting.feed, "mm/min", {1, 50000});
+    checkRange(tool, "plunge feed", job->cutting.plunge_feed, "mm/min", {1, 50000});
+    checkRange(tool, "allowance", job->allowance, "mm", {0, 20});
+  }
+  if (rough.tool.number == semi.tool.number ||
+      rough.tool.number == finish.tool.number || semi.tool.number == finish.tool.number)
+    throw ParameterError(who + ": two tools have one number");
+}
+
+ErrorBudget ErrorBudget::of(double tolerance)
+{
+  return {0.45 * tolerance, 0.5 * tolerance, 0.05 * tolerance};
+}
+
+} // namespace pointmill

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the PointMill authors
+#include "report.h"
+
+#include <pointmill/io/write_cloud.h>
+#include <pointmill/io/write_file.h>
+#include <pointmill/mill/mill_job.h>
+#include <pointmill/slice/z_slices.h>
+#include <pointmill/visual/occupancy_picture.h>
+#include <pointmill/visual/preview.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <random>
+
+namespace pointmill {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A directory beside the real one that is gone when this is, whatever happens.
+class Staging {
+public:
+  explicit Staging(const fs::path& target)
+  {
+    fs::path parent = fs::absolute(target).lexically_normal();
+    if (!parent.has_filename())
+      parent = parent.parent_path();
+    const std::string name = parent.filename().string();
+    parent = parent.parent_path();
+    std::error_code failure;
+    fs::create_directories(parent, failure);
+    std::random_device random;
+    path_ = parent / ("." + name + ".partial-" + std::to_string(random()));
+    if (failure || !fs::create_directory(path_, failure))
+      throw DataError(target.string() + ": cannot be made: " + failure.message());
+  }
+  Staging(const Staging&) = delete;
+  Staging& operator=(const Staging&) = delete;
+  ~Staging()
+  {
+    std::error_code ignored; // nothing is lost with a directory that nobody named
+    fs::remove_all(path_, ignored);
+  }
+  const fs::path& path() const { return path_; }
+
+private:
+  fs::path path_;
+};
+
+std::string text(const char* format, double value)
+{
+  char buffer[64];
+  std::snprintf(buffer, sizeof buffer, format, value);
+  return buffer;
+}
+
+/// Three levels that show the part: a quarter, the half and three quarters down.
+std::vector<double> shownLevels(const MillJob& job)
+{
+  ZSlices slices;
+  slices.setZLimits(job.floor(), job.stock().top());
+  slices.setPitch(job.options().step_down > 0
+                      ? job.options().step_down
+                      : ZSlices::pitchForDiameter(job.options().rough.tool.diameter));
+  const auto levels = slices.levels();
+  std::vector<double> shown;
+  for (const double share : {0.25, 0.5, 0.75}) {
+    const double z =
+        levels[static_cast<std::size_t>(share * static_cast<double>(levels.size()))];
+    if (shown.empty() || shown.back() != z)
+      shown.push_back(z);
+  }
+  return shown;
+}
+
+PreviewScene sceneOf(const MillJob& job, const std::string& title)
+{
+  PreviewScene scene;
+  scene.title = title;
+  scene.scan = &job.part();
+  scene.map = &job.map();
+  scene.stock = job.stock();
+  scene.milled = &job.verification().milled;
+  int number = 0;
+  for (const auto& planned : job.operations())
+    scene.operations.push_back({std::to_string(++number) + "  " +
+                                    planned.operation.name + ", " +
+                                    planned.operation.tool.describe(),
+                                &planned.operation.path});
+  const Verification& v = job.verification();
+  double gap_area = 0;
+  for (const auto& gap : job.gaps())
+    gap_area += gap.area;
+  scene.figures = {text("%.0f minutes of milling", job.minutes()),
+                   text("deepest gouge %.4f mm", v.gouge),
+                   text("residual p95 %.4f mm", v.residual.p95),
+                   std::to_string(v.rapids_in_stock) + " rapids through stock",
+                   text("not scanned, protected: %.0f mm2", gap_area),
+                   text("out of the tool's reach: %.1f %% of the points",
+                        100.0 * static_cast<double>(v.unreachable_points) /
+                            static_cast<double>(std::max<std::size_t>(1, v.points)))};
+  return scene;
+}
+
+} // namespace
+
+void MillJob::checkDirectory(const std::string& scan, const std::string& directory)
+{
+  std::error_code ignored; // what does not exist cannot be the same
+  if (directory.empty())
+    throw DataError("the output directory has no name");
+  if (fs::exists(directory, ignored) && !fs::is_directory(directory, ignored))
+    throw DataError(directory +
+                    ": is a file; name a directory for the program (-o DIR)");
+  for (const char* name :
+       {"program.ngc", "part.pcd", "cl.pcd", "preview.png", "report.json"})
+    if (fs::equivalent(scan, fs::path(directory) / name, ignored))
+      throw DataError(scan + ": would be overwritten; name another directory (-o DIR)");
+}
+
+void MillJob::write(const std::string& directory)
+{
+  checkDirectory(scan_path_, directory);
+  Staging staging(directory);
+  const auto in = [&](const std::string& name) {
+    return (staging.path() / name).string();
+  };
+  std::vector<std::string> names;
+  timed("pictures", 0.8, [&] {
+    int number = 0;
+    for (const double level : shownLevels(*this)) {
+      names.push_back("occupancy_" + std::to_string(++number) + ".png");
+      writeOccupancy(in(names.back()), *map_, level);
+    }
+    names.push_back("preview.png");
+    writePreview(in("preview.png"), sceneOf(*this, scan_name_));
+  });
+  timed("files", 0.95, [&] {
+    names.push_back("part.pcd");
+    writeCloud(in("part.pcd"), *part_);
+    names.push_back("cl.pcd");
+    CLCloud all;
+    for (const auto& o : operations_)
+      all += o.operation.path;
+    writeCloud(in("cl.pcd"), all);
+  });
+  names.push_back("report.json");
+  writeFileAtomically(in("report.json"),
+                      [&](std::ostream& out) { out << reportJson(*this, scan_name_); });
+  names.push_back("program.ngc"); // last: where it is, the others are
+  writeFileAtomically(in("program.ngc"), [&](std::ostream& out) { out << program_; });
+
+  std::error_code failure;
+  fs::create_directories(directory, failure);
+  for (const auto& name : names) {
+    if (!failure)
+      fs::rename(staging.path() / name, fs::path(directory) / name, failure);
+    if (failure)
+      throw DataError(directory + ": cannot be written: " + failure.message());
+  }
+}
+
+} // namespace pointmill

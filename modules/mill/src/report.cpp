@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the PointMill authors
+#include "report.h"
+
+#include <pointmill/common/version.h>
+
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+
+namespace pointmill {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// JSON has no NaN and no infinity.
+Json number(double value)
+{
+  return std::isfinite(value) ? Json(value) : Json(nullptr);
+}
+
+Json vector(const Eigen::Vector3d& v)
+{
+  return {number(v.x()), number(v.y()), number(v.z())};
+}
+
+Json quantiles(const Quantiles& q)
+{
+  return {{"p50", q.p50}, {"p95", q.p95}, {"p99", q.p99}, {"max", q.max}};
+}
+
+Json toolJson(const Tool& tool)
+{
+  return {{"number", tool.number},
+          {"type", tool.type()},
+          {"diameter", tool.diameter},
+          {"corner_radius", tool.corner_radius},
+          {"flutes", tool.flutes}};
+}
+
+Json scanJson(const MillJob& job, const std::string& name)
+{
+  const ScanFigures& scan = job.scanFigures();
+  return {{"file", name},
+          {"format", scan.format},
+          {"vertices", scan.vertices},
+          {"faces", scan.faces},
+          {"sampled_points", scan.sampled},
+          {"nan_points", scan.nan_points},
+          {"stray_points_removed", scan.strays},
+          {"points", job.part().size()},
+          {"mm_per_unit", scan.scale},
+          {"spacing_mm", {{"median", scan.spacing.median}, {"p99", scan.spacing.p99}}}};
+}
+
+Json gapsJson(const MillJob& job)
+{
+  Json list = Json::array();
+  double area = 0;
+  for (const auto& gap : job.gaps()) {
+    area += gap.area;
+    if (list.size() < 100) // the largest come first
+      list.push_back({{"area_mm2", gap.area},
+                      {"centre", {gap.centre.x(), gap.centre.y()}},
+                      {"min", {gap.min.x(), gap.min.y()}},
+                      {"max", {gap.max.x(), gap.max.y()}}});
+  }
+  const GapPolicy policy = job.options().gaps;
+  return {{"policy",
+           policy == GapPolicy::Bridge ? "bridge"
+           : policy == GapPolicy::Keep ? "keep"
+                                       : "mill"},
+          {"count", job.gaps().size()},
+          {"area_mm2", area},
+          {"largest", list}};
+}
+
+Json operationJson(const PlannedOperation& planned, const Verification& verification)
+{
+  const Operation& o = planned.operation;
+  Json parameters = {{"tool", o.tool.number},
+                     {"allowance_mm", planned.allowance},
+                     {"spindle_rpm", o.cutting.spindle},
+                     {"feed_mm_min", o.cutting.feed},
+                     {"plunge_feed_mm_min", o.cutting.plunge_feed},
+                     {"coolant", o.cutting.coolant}};
+  for (const auto& p : planned.parameters)
+    if (p.name != "allowance") {
+      std::string unit = p.unit;
+      for (auto& c : unit)
+        c = c == '/' ? '_' : c;
+      parameters[unit.empty() ? p.name : p.name + "_" + unit] = number(p.value);
+    }
+  Json stages = Json::object();
+  for (const auto& [name, value] : planned.report.figures())
+    stages[name] = number(value);
+  const PathFigures& f = planned.figures;
+  Json json = {{"name", o.name},
+               {"parameters", parameters},
+               {"cl_points", f.cl_points},
+               {"passes", f.passes},
+               {"retracts", f.retracts},
+               {"cutting_mm", f.cutting_length},
+               {"rapid_mm", f.rapid_length},
+               {"minutes", f.minutes},
+               {"seconds_to_compute", planned.seconds},
+               {"figures", stages}};
+  double lowest = 0;
+  for (const auto& p : o.path)
+    lowest = std::min<double>(lowest, p.z);
+  json["lowest_tip_mm"] = lowest;
+  const auto axial = verification.axial_depth.find(o.tool.number);
+  if (axial != verification.axial_depth.end())
+    json["tool_axial_depth_mm"] = axial->second;
+  return json;
+}
+
+Json verificationJson(const Verification& v, double tolerance)
+{
+  Json findings = Json::array();
+  for (const auto& f : v.findings)
+    findings.push_back({{"code", f.code}, {"text", f.text}, {"line", f.line}});
+  const double points = static_cast<double>(std::max<std::size_t>(1, v.points));
+  return {{"passed", v.good()},
+          {"gouge_tolerance_mm", tolerance},
+          {"gouge_max_mm", v.gouge},
+          {"gouge_at", vector(v.gouge_at)},
+          {"gouge_line", v.gouge_line},
+          {"gouged_points", v.gouged_points},
+          {"residual_mm", quantiles(v.residual)},
+          {"deviation_mm", quantiles(v.deviation)},
+          {"rapids_in_stock", v.rapids_in_stock},
+          {"rapid_depth_mm", v.rapid_depth},
+          {"unreachable_points", v.unreachable_points},
+          {"unreachable_share", static_cast<double>(v.unreachable_points) / points},
+          {"untouched_points", v.untouched_points},
+          {"feed_moves", v.feed_moves},
+          {"rapid_moves", v.rapid_moves},
+          {"feed_mm", v.feed_length},
+          {"rapid_mm", v.rapid_length},
+          {"findings", findings}};
+}
+
+} // namespace
+
+std::string reportJson(const MillJob& job, const std::string& scan_name)
+{
+  const MillOptions& o = job.options();
+  const ErrorBudget budget = ErrorBudget::of(o.tolerance);
+  Json alignment = Json::array();
+  for (int r = 0; r < 4; ++r)
+    for (int c = 0; c < 4; ++c)
+      alignment.push_back(job.alignment()(r, c));
+
+  Json json;
+  json["pointmill"] = version;
+  json["scan"] = scanJson(job, scan_name);
+  json["alignment"] = alignment;
+  json["part"] = {{"size", vector(job.partSize())}, {"floor_z", job.floor()}};
+  json["stock"] = {{"min", vector(job.stock().min)}, {"max", vector(job.stock().max)}};
+  json["clearance_plane_z"] = job.clearancePlane();
+  json["tools"] = Json::array();
+  for (const auto* t : {&o.rough, &o.semi, &o.finish})
+    json["tools"].push_back(toolJson(t->tool));
+  json["tolerance"] = {{"total_mm", o.tolerance},
+                       {"chord_mm", budget.chord},
+                       {"control_blend_mm", budget.blend},
+                       {"rounding_mm", budget.rounding},
+                       {"scallop_mm", o.scallop},
+                       {"semi_scallop_mm", o.semi_scallop}};
+  json["gaps"] = gapsJson(job);
+  json["operations"] = Json::array();
+  for (const auto& planned : job.operations())
+    json["operations"].push_back(operationJson(planned, job.verification()));
+  json["minutes"] = job.minutes();
+  json["verification"] =
+      verificationJson(job.verification(), o.tolerance - budget.blend);
+  json["seconds"] = Json::object();
+  for (const auto& [stage, seconds] : job.seconds())
+    json["seconds"][stage] = seconds;
+  return json.dump(2) + "\n";
+}
+
+} // namespace pointmill

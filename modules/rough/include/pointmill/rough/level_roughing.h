@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the PointMill authors
+#pragma once
+
+#include <pointmill/common/stage.h>
+#include <pointmill/rough/level_map.h>
+
+#include <memory>
+#include <vector>
+
+namespace pointmill {
+
+/// @brief A connected path over nodes that the tool clears without leaving the level.
+using Chain = std::vector<Node>;
+
+/// @brief Roughing level by level, from an occupancy map to the CL points of the
+/// cutting passes: one pass (`label`) per connected path, `level` counted from 0 at the
+/// top. Entries, links and retracts between the passes are LinkPasses' work. What a
+/// strategy does within a level is its clearLevel().
+///
+/// After the strategy, each level gets passes along the border of the part where stock
+/// is left, so that no ridges stay beside the walls.
+class LevelRoughing : public Stage<PointCell, PointCL> {
+public:
+  using Stage<PointCell, PointCL>::Stage;
+
+  void setTool(const Tool& tool) { tool_ = tool; }
+  const Tool& getTool() const { return tool_; }
+  /// @brief Material to leave on the part [mm].
+  void setAllowance(double allowance) { allowance_ = allowance; }
+  double getAllowance() const { return allowance_; }
+  /// @brief Distance between levels [mm]; 0: paper 001's 0.3 d / 4.
+  void setStepDown(double step) { step_down_ = step; }
+  double getStepDown() const { return step_down_; }
+  /// @brief Distance between neighbouring rows or contours [mm].
+  void setStepOver(double step) { step_over_ = step; }
+  double getStepOver() const { return step_over_; }
+  /// @brief Height of the last level [mm]; by default the lowest point of the map.
+  void setFloor(double floor) { floor_ = floor; }
+  /// @brief The stock as earlier operations left it; by default a block round the map.
+  void setStock(std::shared_ptr<const StockField> stock) { stock_ = std::move(stock); }
+  /// @brief Leave stock that is thinner than this [mm] to later operations.
+  void setMinThickness(double thickness) { min_thickness_ = thickness; }
+  double getMinThickness() const { return min_thickness_; }
+  void setNumberOfThreads(unsigned threads) { threads_ = threads; }
+
+  template <typename V>
+  void parameters(V&& v)
+  {
+    v("allowance", allowance_, "mm", Range{0, 20}, "material left on the part");
+    v("step_down",
+      step_down_,
+      "mm",
+      Range{0, 50},
+      "distance between levels; 0: 0.3 d/4");
+    v("step_over", step_over_, "mm", Range{0.05, 200}, "distance between rows");
+    v("min_thickness", min_thickness_, "mm", Range{0, 50}, "thinner stock is left");
+  }
+
+protected:
+  void checkParameters() const override;
+  void apply(CLCloud& output) override;
+
+  /// @brief The chains that clear what is needed at height @p z, in machining order.
+  virtual std::vector<Chain> clearLevel(const LevelMap& map, double z) const = 0;
+
+  /// @brief Rows or contours lie this many nodes apart.
+  int stride(const LevelMap& map) const;
+
+private:
+  Tool tool_ = Tool::flat(1, 10.0);
+  double allowance_ = 0.5, step_down_ = 0.0, step_over_ = 4.0, min_thickness_ = 0.0;
+  double floor_ = std::numeric_limits<double>::quiet_NaN();
+  std::shared_ptr<const StockField> stock_;
+  unsigned threads_ = 0;
+};
+
+/// @brief Zig-zag rows along X, each row from part to part; a row is entered from its
+/// neighbour wherever the tool can get across on the level (paper 001, i).
+class ZigZagRoughing : public LevelRoughing {
+public:
+  ZigZagRoughing() : LevelRoughing("ZigZagRoughing") {}
+
+protected:
+  std::vector<Chain> clearLevel(const LevelMap& map, double z) const override;
+};
+
+/// @brief Rectangular contours from the outside in; where one meets the part it follows
+/// the part's border clockwise until it is back on the contour (paper 001, ii).
+class SpiralRoughing : public LevelRoughing {
+public:
+  SpiralRoughing() : LevelRoughing("SpiralRoughing") {}
+
+protected:
+  std::vector<Chain> clearLevel(const LevelMap& map, double z) const override;
+};
+
+} // namespace pointmill

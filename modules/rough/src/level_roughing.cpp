@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the PointMill authors
+#include "border.h"
+
+#include <pointmill/slice/z_slices.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pointmill {
+namespace {
+
+/// The corners of a chain: nodes in the middle of a straight run say nothing.
+Chain corners(const Chain& chain)
+{
+  Chain kept;
+  for (const Node n : chain) {
+    if (kept.size() >= 2) {
+      const Node a = kept[kept.size() - 2], b = kept.back();
+      const int ux = b.column - a.column, uy = b.row - a.row;
+      const int vx = n.column - b.column, vy = n.row - b.row;
+      if (ux * vy == uy * vx && ux * vx + uy * vy > 0) {
+        kept.back() = n;
+        continue;
+      }
+    }
+    if (kept.empty() || kept.back() != n)
+      kept.push_back(n);
+  }
+  return kept;
+}
+
+/// Calls move(a, b) for every straight move of a chain with its tip on z.
+template <typename Move>
+void forMoves(const LevelMap& map, const Chain& chain, double z, Move&& move)
+{
+  for (std::size_t i = 0; i < chain.size(); ++i) {
+    const Node a = chain[i > 0 ? i - 1 : 0], b = chain[i];
+    move(Eigen::Vector3d(map.x(a), map.y(a), z),
+         Eigen::Vector3d(map.x(b), map.y(b), z));
+  }
+}
+
+/// The parts of the loop that still have stock above them after `work` was cut. Pieces
+/// less than `gap` nodes apart stay together.
+std::vector<Chain> piecesToCut(
+    const LevelMap& map, const StockField& work, const Chain& loop, double z, int gap)
+{
+  const double certain =
+      std::max(0.0, map.radius() - 2 * std::sqrt(2.0) * work.cellSize());
+  std::vector<Chain> pieces;
+  int idle = gap + 1;
+  for (const Node n : loop) {
+    const bool needed =
+        map.isNeeded(n, z) && work.highest(map.x(n), map.y(n), certain) > z + 1e-3;
+    idle = needed ? 0 : idle + 1;
+    if (needed && (pieces.empty() || pieces.back().empty()))
+      pieces.emplace_back();
+    if (idle <= gap)
+      pieces.back().push_back(n);
+    else if (!pieces.empty() && !pieces.back().empty())
+      pieces.emplace_back();
+  }
+  pieces.erase(std::remove_if(pieces.begin(),
+                              pieces.end(),
+                              [](const Chain& c) { return c.size() < 2; }),
+               pieces.end());
+  return pieces;
+}
+
+} // namespace
+
+int LevelRoughing::stride(const LevelMap& map) const
+{
+  return std::max(1, static_cast<int>(std::floor(step_over_ / map.grid().cell + 1e-6)));
+}
+
+void LevelRoughing::checkParameters() const
+{
+  validateParameters(*this, getName());
+  tool_.validate();
+  if (step_over_ > tool_.diameter)
+    throw ParameterError(getName() + ": the step-over is wider than the tool");
+}
+
+void LevelRoughing::apply(CLCloud& output)
+{
+  if (indices_->size() != input_->size())
+    throw DataError(getName() + ": a map is roughed as a whole; it takes no indices");
+  const CellGrid cells = CellGrid::of(*input_);
+  double top = -std::numeric_limits<double>::infinity(), bottom = -top;
+  for (const auto& cell : *input_)
+    if (cell.getState() != CellState::Empty) {
+      top = std::max<double>(top, cell.z);
+      bottom = std::min<double>(bottom, cell.z);
+    }
+  if (!(top >= bottom))
+    throw DataError(getName() + ": the map holds no part");
+  auto stock = stock_;
+  if (!stock)
+    stock = std::make_shared<StockField>(Stock{{cells.x0, cells.y0, bottom - 1.0},
+                                               {cells.x0 + cells.columns * cells.cell,
+                                                cells.y0 + cells.rows * cells.cell,
+                                                top + 1e-3}},
+                                         cells.cell,
+                                         StockField::Bound::Upper);
+
+  ZSlices slices;
+  slices.setZLimits(std::isnan(floor_) ? bottom : floor_, stock->stock().top());
+  slices.setPitch(step_down_ > 0 ? step_down_
+                                 : ZSlices::pitchForDiameter(tool_.diameter));
+  const auto levels = slices.levels();
+  const LevelMap map(*input_, tool_, allowance_, *stock, min_thickness_, threads_);
+
+  StockField work = *stock;
+  std::uint32_t pass = 0, used = 0;
+  for (std::size_t k = 0; k < levels.size(); ++k) {
+    const double z = levels[k];
+    const auto cut = [&](const Chain& chain) {
+      forMoves(
+          map, chain, z, [&](const auto& a, const auto& b) { work.cut(tool_, a, b); });
+    };
+    const auto emit = [&](const Chain& chain) {
+      for (const Node n : corners(chain)) {
+        PointCL p(map.x(n), map.y(n), z);
+        p.label = pass;
+        p.level = static_cast<std::uint32_t>(k);
+        output.push_back(p);
+      }
+      ++pass;
+    };
+    const auto chains = clearLevel(map, z);
+    for (const auto& chain : chains) {
+      cut(corners(chain));
+      emit(chain);
+    }
+    bool any = !chains.empty();
+    for (const auto& loop : borderLoops(map, z))
+      for (const auto& piece : piecesToCut(map, work, loop, z, stride(map))) {
+        cut(corners(piece));
+        emit(piece);
+        any = true;
+      }
+    used += any;
+  }
+  report_.set("levels", static_cast<double>(levels.size()));
+  report_.set("levels_cut", used);
+  report_.set("passes", pass);
+  report_.set("cl_points", static_cast<double>(output.size()));
+}
+
+} // namespace pointmill

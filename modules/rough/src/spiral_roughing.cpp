@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the PointMill authors
+#include "border.h"
+
+#include <algorithm>
+#include <unordered_map>
+
+namespace pointmill {
+namespace {
+
+/// The nodes of a rectangle, anticlockwise from its lower left corner, which is
+/// repeated at the end.
+Chain rectangle(Node low, Node high)
+{
+  Chain ring{low};
+  const auto go = [&](Node to, int d) {
+    while (ring.back() != to)
+      ring.push_back(ring.back() + direction(d));
+  };
+  go({high.column, low.row}, 0);
+  go(high, 1);
+  go({low.column, high.row}, 2);
+  go(low, 3);
+  return ring;
+}
+
+/// Follows the ring from `from` on; round the part, clockwise, where it is in the way.
+/// Stops where there is no way on and sets `from` to the next place to begin at.
+Chain follow(const LevelMap& map, double z, const Chain& ring, std::size_t& from)
+{
+  std::unordered_map<std::size_t, std::size_t> place; // of a node on the ring
+  for (std::size_t i = 0; i < ring.size(); ++i)
+    place[map.grid().index(ring[i].column, ring[i].row)] = i;
+
+  while (from < ring.size() && !map.isFree(ring[from], z))
+    ++from;
+  Chain chain;
+  while (from < ring.size()) {
+    if (map.isFree(ring[from], z)) {
+      chain.push_back(ring[from++]);
+      continue;
+    }
+    const Node here = chain.back();
+    const Node blocked = ring[from];
+    int wall = 0;
+    while (here + direction(wall) != blocked)
+      ++wall;
+    BorderWalker walker{map, z, here, wall};
+    Chain detour;
+    const std::size_t longest = map.grid().size();
+    bool back_on = false;
+    do {
+      walker.step();
+      if (detour.empty() || detour.back() != walker.at)
+        detour.push_back(walker.at);
+      const auto on = place.find(map.grid().index(walker.at.column, walker.at.row));
+      if (on != place.end() && on->second > from) {
+        from = on->second + 1;
+        back_on = true;
+      }
+    } while (!back_on && detour.size() < longest &&
+             !(walker.at == here && walker.wall == wall));
+    if (!back_on)
+      return chain;
+    chain.insert(chain.end(), detour.begin(), detour.end());
+  }
+  return chain;
+}
+
+/// The stretches of a path that pass over stock; those less than `gap` nodes apart stay
+/// together.
+void keepNeeded(const LevelMap& map,
+                double z,
+                const Chain& path,
+                int gap,
+                std::vector<Chain>& chains)
+{
+  int last = -1, first = -1;
+  const auto flush = [&] {
+    if (first < 0)
+      return;
+    const int begin = std::max(0, first - 1);
+    const int end = std::min(static_cast<int>(path.size()) - 1, last + 1);
+    chains.emplace_back(path.begin() + begin, path.begin() + end + 1);
+  };
+  for (int i = 0; i < static_cast<int>(path.size()); ++i) {
+    if (!map.isNeeded(path[i], z))
+      continue;
+    if (first >= 0 && i - last > gap) {
+      flush();
+      first = -1;
+    }
+    if (first < 0)
+      first = i;
+    last = i;
+  }
+  flush();
+}
+
+/// Joins two chains whose ends the tool can get between on the level, along X, then Y.
+bool join(const LevelMap& map, double z, Chain& chain, const Chain& next, int most)
+{
+  Node at = chain.back();
+  const Node to = next.front();
+  if (std::abs(at.column - to.column) + std::abs(at.row - to.row) > most)
+    return false;
+  Chain way;
+  while (at != to) {
+    if (at.column != to.column)
+      at.column += at.column < to.column ? 1 : -1;
+    else
+      at.row += at.row < to.row ? 1 : -1;
+    if (!map.isFree(at, z))
+      return false;
+    way.push_back(at);
+  }
+  chain.insert(chain.end(), way.begin(), way.end());
+  chain.insert(chain.end(), next.begin(), next.end());
+  return true;
+}
+
+} // namespace
+
+std::vector<Chain> SpiralRoughing::clearLevel(const LevelMap& map, double z) const
+{
+  const int step = stride(map);
+  std::vector<Chain> pieces;
+  Node low{0, 0}, high{map.grid().columns - 1, map.grid().rows - 1};
+  while (low.column <= high.column && low.row <= high.row) {
+    const Chain ring = rectangle(low, high);
+    for (std::size_t from = 0; from < ring.size();)
+      keepNeeded(map, z, follow(map, z, ring, from), step, pieces);
+    low = low + Node{step, step};
+    high = high + Node{-step, -step};
+  }
+  std::vector<Chain> chains;
+  for (auto& piece : pieces)
+    if (chains.empty() || !join(map, z, chains.back(), piece, 4 * step))
+      chains.push_back(std::move(piece));
+  return chains;
+}
+
+} // namespace pointmill

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the PointMill authors
+#pragma once
+
+#include <pointmill/common/parameters.h>
+#include <pointmill/common/point_types.h>
+#include <pointmill/common/stock.h>
+#include <pointmill/common/tool.h>
+#include <pointmill/gcode/gcode_reader.h>
+#include <pointmill/surface/point_index.h>
+
+#include <Eigen/Core>
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace pointmill {
+
+/// @brief Something about a program that must not be.
+struct Finding {
+  std::string code; ///< "gouge", "rapid_in_stock", ...
+  std::string text; ///< one line for people
+  double worst = 0; ///< mm, where it is a length
+  Eigen::Vector3d place = Eigen::Vector3d::Zero();
+  std::size_t line = 0; ///< of the program, 0: none
+};
+
+/// @brief p50, p95, p99 and the largest of some lengths [mm].
+struct Quantiles {
+  double p50 = 0, p95 = 0, p99 = 0, max = 0;
+};
+
+/// @brief What a program does to the part and the stock.
+struct Verification {
+  double gouge = 0; ///< deepest that any point gets inside a moving tool [mm]
+  Eigen::Vector3d gouge_at = Eigen::Vector3d::Zero();
+  std::size_t gouge_line = 0;
+  std::size_t gouged_points = 0; ///< deeper than the tolerance
+
+  /// @brief Material left over a point beyond what a perfect pass of the last tool
+  /// would leave there.
+  Quantiles residual;
+  /// @brief Cut surface minus point, over the points that the last tool can reach.
+  Quantiles deviation;
+  std::size_t points = 0;
+  std::size_t unreachable_points = 0; ///< under the last tool's envelope
+  std::size_t untouched_points = 0;   ///< no tool passes over them
+
+  std::size_t rapids_in_stock = 0;
+  double rapid_depth = 0; ///< deepest of them [mm]
+  std::size_t rapid_line = 0;
+  std::map<int, double> axial_depth; ///< thickest layer that each tool takes [mm]
+  std::map<int, double> lowest_tip;  ///< per tool [mm]
+
+  std::size_t feed_moves = 0, rapid_moves = 0;
+  double feed_length = 0, rapid_length = 0; ///< mm
+
+  CellCloud milled; ///< the stock after the program, an organised height field
+  std::vector<Finding> findings;
+
+  bool good() const { return findings.empty(); }
+};
+
+/// @brief Judges a program as it was read back from its text: its moves are swept over
+/// every point of the part and through the stock.
+///
+/// Gouges are measured against the points, exactly, as penetration(); the stock is a
+/// height field that is exact at the centres of its cells. Results do not depend on the
+/// number of threads.
+class ProgramVerifier {
+public:
+  /// @brief The points of the part, without anything that was added to them.
+  void setPart(std::shared_ptr<const PointIndex> part) { part_ = std::move(part); }
+  void setStock(const Stock& stock) { stock_ = stock; }
+  void setTools(std::vector<Tool> tools) { tools_ = std::move(tools); }
+  /// @brief Points that get deeper into a tool than this are gouged [mm].
+  void setTolerance(double tolerance) { tolerance_ = tolerance; }
+  /// @brief Refuse a program that leaves more than this over 5 % of the points [mm].
+  void setResidualLimit(double limit) { residual_limit_ = limit; }
+  /// @brief Edge of a stock cell [mm].
+  void setCellSize(double cell) { cell_ = cell; }
+  void setNumberOfThreads(unsigned threads) { threads_ = threads; }
+
+  template <typename V>
+  void parameters(V&& v)
+  {
+    v("tolerance", tolerance_, "mm", Range{1e-4, 10}, "deepest gouge that passes");
+    v("residual_limit", residual_limit_, "mm", Range{1e-3, 1e4}, "most p95 residual");
+    v("cell_size", cell_, "mm", Range{0.01, 50}, "edge of a stock cell");
+  }
+
+  /// @throws ParameterError, DataError for missing or absurd settings; what is wrong
+  /// with
+  ///         the program goes into the findings
+  Verification verify(const Program& program) const;
+
+private:
+  std::shared_ptr<const PointIndex> part_;
+  Stock stock_;
+  std::vector<Tool> tools_;
+  double tolerance_ = 0.02, residual_limit_ = 1e4, cell_ = 0.25;
+  unsigned threads_ = 0;
+};
+
+} // namespace pointmill

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the PointMill authors
+#pragma once
+
+#include <pointmill/verify/program_verifier.h>
+
+#include <functional>
+#include <vector>
+
+namespace pointmill {
+
+/// @brief A move of the program that is known at both ends, with its tool.
+struct SweptMove {
+  Eigen::Vector3d a, b;
+  const Tool* tool;
+  std::size_t line;
+  bool rapid;
+};
+
+/// @brief Deals moves to horizontal bands of the plane, so that threads can work
+/// through the bands on their own and each still meets its moves in the program's
+/// order.
+class Bands {
+public:
+  /// @param y0 lower border of band 0; @param height of a band [mm]
+  Bands(const std::vector<SweptMove>& moves, double y0, double height, int count);
+
+  int count() const { return static_cast<int>(bands_.size()); }
+  const std::vector<std::uint32_t>& operator[](std::size_t band) const
+  {
+    return bands_[band];
+  }
+
+private:
+  std::vector<std::vector<std::uint32_t>> bands_;
+};
+
+/// @brief Checks what can be said of every move alone, counts and measures, and returns
+/// those that can be swept.
+std::vector<SweptMove> collectMoves(const Program& program,
+                                    const std::vector<Tool>& tools,
+                                    const Stock& stock,
+                                    Verification& result);
+
+/// @brief Gouges, residuals and deviations at the points.
+void judgePoints(const PointIndex& part,
+                 const std::vector<SweptMove>& moves,
+                 double tolerance,
+                 unsigned threads,
+                 Verification& result);
+
+/// @brief Cuts the stock in the program's order; rapids that cut are findings.
+void judgeStock(const Stock& stock,
+                double cell,
+                const std::vector<SweptMove>& moves,
+                double tolerance,
+                unsigned threads,
+                Verification& result);
+
+} // namespace pointmill

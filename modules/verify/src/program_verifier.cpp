@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the PointMill authors
+#include "moves.h"
+
+#include <pointmill/common/error.h>
+#include <pointmill/common/parameters.h>
+
+#include <cstdio>
+
+namespace pointmill {
+namespace {
+
+std::string millimetres(double length)
+{
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3f mm", length);
+  return text;
+}
+
+} // namespace
+
+Verification ProgramVerifier::verify(const Program& program) const
+{
+  validateParameters(*this, "ProgramVerifier");
+  if (!part_)
+    throw DataError("ProgramVerifier: the part's points were not given (setPart)");
+  for (const auto& tool : tools_)
+    tool.validate();
+
+  Verification result;
+  const auto moves = collectMoves(program, tools_, stock_, result);
+  judgePoints(*part_, moves, tolerance_, threads_, result);
+  judgeStock(stock_, cell_, moves, tolerance_, threads_, result);
+
+  if (result.gouged_points > 0)
+    result.findings.push_back({"gouge",
+                               std::to_string(result.gouged_points) +
+                                   " points are gouged, the deepest by " +
+                                   millimetres(result.gouge),
+                               result.gouge,
+                               result.gouge_at,
+                               result.gouge_line});
+  if (result.rapids_in_stock > 0)
+    result.findings.push_back({"rapid_in_stock",
+                               std::to_string(result.rapids_in_stock) +
+                                   " rapids run into stock, the deepest by " +
+                                   millimetres(result.rapid_depth),
+                               result.rapid_depth,
+                               {0, 0, 0},
+                               result.rapid_line});
+  if (result.residual.p95 > residual_limit_)
+    result.findings.push_back({"residual",
+                               "5 % of the points keep more than " +
+                                   millimetres(result.residual.p95) +
+                                   " of material over what the last tool could leave",
+                               result.residual.p95,
+                               {0, 0, 0},
+                               0});
+  return result;
+}
+
+} // namespace pointmill

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the PointMill authors
+#include "canvas.h"
+
+#include <cmath>
+
+namespace pointmill::visual {
+
+Canvas::Canvas(int width, int height, const Rgb& background)
+    : width_(width), height_(height),
+      bytes_(static_cast<std::size_t>(width) * height * 3)
+{
+  fill({0, 0, width, height}, background);
+}
+
+void Canvas::set(int x, int y, const Rgb& colour)
+{
+  if (!inside(x, y))
+    return;
+  std::uint8_t* p = &bytes_[offset(x, y)];
+  p[0] = toByte(colour.r);
+  p[1] = toByte(colour.g);
+  p[2] = toByte(colour.b);
+}
+
+void Canvas::blend(int x, int y, const Rgb& colour, float alpha)
+{
+  if (!inside(x, y) || alpha <= 0.f)
+    return;
+  const std::uint8_t* p = &bytes_[offset(x, y)];
+  const Rgb old{
+      static_cast<float>(p[0]), static_cast<float>(p[1]), static_cast<float>(p[2])};
+  set(x, y, mix(old * (1.f / 255.f), colour, std::min(alpha, 1.f)));
+}
+
+void Canvas::fill(const Rect& rect, const Rgb& colour)
+{
+  for (int y = std::max(rect.y, 0); y < std::min(rect.bottom(), height_); ++y)
+    for (int x = std::max(rect.x, 0); x < std::min(rect.right(), width_); ++x)
+      set(x, y, colour);
+}
+
+void Canvas::fillRound(const Rect& rect, float radius, const Rgb& colour)
+{
+  const float hx = rect.width * 0.5f, hy = rect.height * 0.5f;
+  for (int y = rect.y; y < rect.bottom(); ++y)
+    for (int x = rect.x; x < rect.right(); ++x) {
+      // Signed distance to the rounded outline.
+      const float qx = std::abs(x + 0.5f - rect.x - hx) - hx + radius;
+      const float qy = std::abs(y + 0.5f - rect.y - hy) - hy + radius;
+      const float out = std::hypot(std::max(qx, 0.f), std::max(qy, 0.f)) +
+                        std::min(std::max(qx, qy), 0.f) - radius;
+      blend(x, y, colour, std::clamp(0.5f - out, 0.f, 1.f));
+    }
+}
+
+void Canvas::line(
+    float x0, float y0, float x1, float y1, float thickness, const Rgb& colour)
+{
+  const float half = thickness * 0.5f, dx = x1 - x0, dy = y1 - y0;
+  const float length2 = std::max(dx * dx + dy * dy, 1e-12f);
+  const int left = static_cast<int>(std::floor(std::min(x0, x1) - half - 1));
+  const int right = static_cast<int>(std::ceil(std::max(x0, x1) + half + 1));
+  const int top = static_cast<int>(std::floor(std::min(y0, y1) - half - 1));
+  const int bottom = static_cast<int>(std::ceil(std::max(y0, y1) + half + 1));
+  for (int y = top; y <= bottom; ++y)
+    for (int x = left; x <= right; ++x) {
+      const float px = x + 0.5f - x0, py = y + 0.5f - y0;
+      const float t = std::clamp((px * dx + py * dy) / length2, 0.f, 1.f);
+      const float away = std::hypot(px - t * dx, py - t * dy);
+      blend(x, y, colour, std::clamp(half + 0.5f - away, 0.f, 1.f));
+    }
+}
+
+} // namespace pointmill::visual
