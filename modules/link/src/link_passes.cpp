@@ -63,6 +63,8 @@ private:
     double feed = cutting_.feed;
     if (motion == Motion::Plunge)
       feed = cutting_.plunge_feed;
+    else if (motion == Motion::LeadIn) // down through what was cut before
+      return std::min(cutting_.feed, 2 * cutting_.plunge_feed);
     else if (motion == Motion::Ramp)
       feed = std::max(cutting_.plunge_feed, cutting_.feed / 2);
     const double down = from.z() - to.z();
@@ -142,13 +144,22 @@ void LinkPasses::apply(CLCloud& output)
         ++retracts;
       }
       path.add({start.x(), start.y(), clearance_}, Motion::Rapid, first);
-      const double top = stock_ ? stock_->highest(start.x(), start.y(), around)
-                                : start.z();
-      const double down = std::max(top, start.z()) + approach_;
+      // Rapids mind every splinter that may stand at the rim; what the tool has to cut
+      // on its way down is what it stands on for certain.
+      const double rim =
+          stock_ ? stock_->highest(start.x(), start.y(), around) : start.z();
+      const double under = around - 2 * (stock_ ? stock_->cellSize() : 0.0);
+      const double top =
+          stock_ ? stock_->highest(start.x(), start.y(), std::max(0.0, under))
+                 : start.z();
+      const double down = std::max(rim, start.z()) + approach_;
       if (down < clearance_)
         path.add({start.x(), start.y(), down}, Motion::Rapid, first);
+      const double lead = std::max(top, start.z()) + kNothing;
+      if (lead < std::min(down, clearance_) - kNothing)
+        path.add({start.x(), start.y(), lead}, Motion::LeadIn, first);
       if (top > start.z() + kNothing) {
-        const double above = std::min(top + kNothing, clearance_) - start.z();
+        const double above = std::min(lead, clearance_) - start.z();
         const auto ramp = rampAlong(pass, above, ramp_angle_, 2 * tool_.diameter);
         ramps += !ramp.empty();
         plunges += ramp.empty();

@@ -139,12 +139,9 @@ void MillJob::makeMap()
     gaps_ = occupancy.getGaps();
 
     CellCloud bridges;
-    floor_ = std::numeric_limits<double>::infinity();
     for (const auto& c : *map_) {
       if (c.getState() == CellState::Gap)
         bridges.push_back(c);
-      if (c.getState() != CellState::Empty)
-        floor_ = std::min<double>(floor_, c.z);
     }
     pcl::Indices all(part_->size());
     for (std::size_t i = 0; i < all.size(); ++i)
@@ -155,6 +152,7 @@ void MillJob::makeMap()
                    : std::make_shared<PointIndex>(makePointIndex(*part_, all, bridges));
 
     const double margin = options_.stock_margin;
+    floor_ = points_->min().z();
     stock_.min = points_->min() - Eigen::Vector3d(margin, margin, 0);
     stock_.max = points_->max() + Eigen::Vector3d(margin, margin, options_.stock_top);
     if (stock_.max.z() - floor_ < 1e-3)
@@ -206,7 +204,8 @@ void MillJob::planRoughing(const ToolJob& job,
                            : 0.4 * job.tool.diameter);
   roughing.setFloor(floor_);
   roughing.setStock(standing_);
-  roughing.setMinThickness(min_thickness);
+  roughing.setRestLimits(min_thickness,
+                         min_thickness > 0 ? 0.6 * job.tool.diameter : 0.0);
   roughing.setNumberOfThreads(options_.threads);
   roughing.setInputCloud(map_);
   CLCloud passes;

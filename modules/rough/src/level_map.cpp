@@ -2,6 +2,7 @@
 // Copyright (c) 2026, the PointMill authors
 #include <pointmill/common/parallel.h>
 #include <pointmill/rough/level_map.h>
+#include <pointmill/slice/distance_field.h>
 
 #include <algorithm>
 #include <cmath>
@@ -66,6 +67,7 @@ LevelMap::LevelMap(const CellCloud& map,
                    double allowance,
                    const StockField& stock,
                    double min_thickness,
+                   double min_width,
                    unsigned threads)
     : radius_(tool.radius())
 {
@@ -128,8 +130,17 @@ LevelMap::LevelMap(const CellCloud& map,
       z = -z;
     const auto left_over =
         filterMax(grid_, raised, footprint(tool.radius(), cell, under), threads);
+    // ... and what is thick only as a skin on a wall.
+    std::vector<unsigned char> thin(grid_.size()), core(grid_.size());
     for (std::size_t i = 0; i < standing.size(); ++i)
-      if (!(standing[i] - (-left_over[i]) > min_thickness))
+      thin[i] = !(standing[i] + left_over[i] > min_thickness);
+    const double half_width = min_width / 2 / cell;
+    const auto to_thin = distanceField(thin, grid_.columns, grid_.rows);
+    for (std::size_t i = 0; i < standing.size(); ++i)
+      core[i] = to_thin[i] > half_width;
+    const auto to_core = distanceField(core, grid_.columns, grid_.rows);
+    for (std::size_t i = 0; i < standing.size(); ++i)
+      if (thin[i] || to_core[i] > half_width)
         standing[i] = kNothing;
   }
   const auto flat = [&](double dx, double dy) {

@@ -110,7 +110,8 @@ void LevelRoughing::apply(CLCloud& output)
   slices.setPitch(step_down_ > 0 ? step_down_
                                  : ZSlices::pitchForDiameter(tool_.diameter));
   const auto levels = slices.levels();
-  const LevelMap map(*input_, tool_, allowance_, *stock, min_thickness_, threads_);
+  const LevelMap map(
+      *input_, tool_, allowance_, *stock, min_thickness_, min_width_, threads_);
 
   StockField work = *stock;
   std::uint32_t pass = 0, used = 0;

@@ -15,34 +15,37 @@ namespace {
 
 using Mask = std::vector<unsigned char>;
 
-/// Calls visit(column, row) for the four neighbours of a cell that the grid has.
+/// Calls visit(column, row, straight) for the eight neighbours of a cell that the grid
+/// has.
 template <typename Visit>
 void neighbours(const CellGrid& grid, int column, int row, Visit&& visit)
 {
-  constexpr int step[4][2] = {{1, 0}, {-1, 0}, {0, 1}, {0, -1}};
-  for (const auto& s : step)
-    if (grid.has(column + s[0], row + s[1]))
-      visit(column + s[0], row + s[1]);
+  for (int r = row - 1; r <= row + 1; ++r)
+    for (int c = column - 1; c <= column + 1; ++c)
+      if ((c != column || r != row) && grid.has(c, r))
+        visit(c, r, c == column || r == row);
 }
 
-/// All cells of `mask` that are connected to (column, row); they are taken out of it.
-std::vector<std::size_t>
-takeRegion(const CellGrid& grid, Mask& mask, int column, int row)
+/// All cells of `mask` that are connected to those of `region`; they are taken out of
+/// it.
+void takeRegion(const CellGrid& grid,
+                Mask& mask,
+                bool diagonals,
+                std::vector<std::size_t>& region)
 {
-  std::vector<std::size_t> region{grid.index(column, row)};
-  mask[region.front()] = 0;
+  for (const auto at : region)
+    mask[at] = 0;
   for (std::size_t k = 0; k < region.size(); ++k)
     neighbours(grid,
                static_cast<int>(region[k] % grid.columns),
                static_cast<int>(region[k] / grid.columns),
-               [&](int c, int r) {
+               [&](int c, int r, bool straight) {
                  const std::size_t at = grid.index(c, r);
-                 if (mask[at]) {
+                 if (mask[at] && (straight || diagonals)) {
                    mask[at] = 0;
                    region.push_back(at);
                  }
                });
-  return region;
 }
 
 } // namespace
@@ -69,7 +72,8 @@ findGaps(const CellGrid& grid, const Mask& occupied, double reach)
   Mask open(wide.size()); // neither occupied nor closed
   for (std::size_t i = 0; i < open.size(); ++i)
     open[i] = !body[i] && to_away[i] <= cells;
-  takeRegion(wide, open, 0, 0); // what is connected to the border lies outside
+  std::vector<std::size_t> outside{0}; // what is connected to the border
+  takeRegion(wide, open, false, outside);
 
   Mask gaps(grid.size(), 0);
   for (int row = 0; row < grid.rows; ++row)
@@ -78,6 +82,15 @@ findGaps(const CellGrid& grid, const Mask& occupied, double reach)
       const bool inside = open[at] || to_away[at] > cells;
       gaps[grid.index(column, row)] = inside && !body[at];
     }
+  // On a grid, closing may leave a cell by itself that no point is next to: no gap.
+  Mask left = gaps;
+  std::vector<std::size_t> held;
+  for (std::size_t at = 0; at < grid.size(); ++at)
+    if (occupied[at])
+      held.push_back(at);
+  takeRegion(grid, left, true, held);
+  for (std::size_t at = 0; at < grid.size(); ++at)
+    gaps[at] = gaps[at] && !left[at];
   return gaps;
 }
 
@@ -92,7 +105,8 @@ gapRegions(const CellGrid& grid, const Mask& occupied, const Mask& gaps, double 
       if (!left[grid.index(column, row)])
         continue;
       GapRegion region;
-      const auto cells = takeRegion(grid, left, column, row);
+      std::vector<std::size_t> cells{grid.index(column, row)};
+      takeRegion(grid, left, true, cells);
       region.min.setConstant(std::numeric_limits<double>::infinity());
       region.max = -region.min;
       double widest = 0;
@@ -125,7 +139,8 @@ void bridgeGaps(const CellGrid& grid, const Mask& gaps, std::vector<double>& hei
     }
   if (cells.empty())
     return;
-  // A cell is the mean of its neighbours; those outside the outline do not count.
+  // A cell is the mean of its neighbours, diagonal ones at half weight; those outside
+  // the outline do not count.
   std::vector<Eigen::Triplet<double>> entries;
   Eigen::VectorXd right =
       Eigen::VectorXd::Zero(static_cast<Eigen::Index>(cells.size()));
@@ -134,15 +149,16 @@ void bridgeGaps(const CellGrid& grid, const Mask& gaps, std::vector<double>& hei
     neighbours(grid,
                static_cast<int>(cells[k] % grid.columns),
                static_cast<int>(cells[k] / grid.columns),
-               [&](int c, int r) {
+               [&](int c, int r, bool straight) {
                  const std::size_t at = grid.index(c, r);
+                 const double weight = straight ? 1.0 : 0.5;
                  if (unknown[at] >= 0)
-                   entries.emplace_back(static_cast<int>(k), unknown[at], -1.0);
+                   entries.emplace_back(static_cast<int>(k), unknown[at], -weight);
                  else if (std::isfinite(height[at]))
-                   right[static_cast<Eigen::Index>(k)] += height[at];
+                   right[static_cast<Eigen::Index>(k)] += weight * height[at];
                  else
                    return;
-                 ++count;
+                 count += weight;
                });
     entries.emplace_back(static_cast<int>(k), static_cast<int>(k), count);
   }

@@ -12,6 +12,9 @@
 namespace pointmill {
 namespace {
 
+/// A point this far under a perfect pass of the last tool is out of its reach [mm]:
+/// more than what noise lifts the tool off.
+constexpr double kReach = 0.1;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 Quantiles quantiles(std::vector<float>& values)
@@ -151,7 +154,7 @@ void judgePoints(const PointIndex& part,
     for (std::size_t q = first; q < end; ++q) {
       const Eigen::Vector3d p = part.point(q);
       const double perfect = std::max(p.z(), envelope.lowestOver(p.x(), p.y()));
-      reachable[q] = perfect - p.z() <= tolerance;
+      reachable[q] = perfect - p.z() <= kReach;
       residual[q] = static_cast<float>(height[q] - perfect);
       deviation[q] = static_cast<float>(height[q] - p.z());
     }

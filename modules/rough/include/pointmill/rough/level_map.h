@@ -32,12 +32,14 @@ public:
   /// @param map organised occupancy map of the part; empty cells hold no part
   /// @param allowance material to leave on the part, along its normal [mm]
   /// @param min_thickness stock less thick than this above what the tool would leave is
-  ///        not worth cutting [mm]
+  ///        not worth cutting [mm]; 0: all of it is
+  /// @param min_width nor is thicker stock that is a skin narrower than this [mm]
   LevelMap(const CellCloud& map,
            const Tool& tool,
            double allowance,
            const StockField& stock,
            double min_thickness,
+           double min_width,
            unsigned threads = 0);
 
   const CellGrid& grid() const { return grid_; }

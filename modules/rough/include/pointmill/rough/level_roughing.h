@@ -39,9 +39,17 @@ public:
   void setFloor(double floor) { floor_ = floor; }
   /// @brief The stock as earlier operations left it; by default a block round the map.
   void setStock(std::shared_ptr<const StockField> stock) { stock_ = std::move(stock); }
-  /// @brief Leave stock that is thinner than this [mm] to later operations.
-  void setMinThickness(double thickness) { min_thickness_ = thickness; }
+  /// @brief Rest roughing: leave stock to later operations that stands less than
+  /// @p thickness above what this tool would leave, or is a skin on a wall narrower
+  /// than
+  /// @p width [mm].
+  void setRestLimits(double thickness, double width)
+  {
+    min_thickness_ = thickness;
+    min_width_ = width;
+  }
   double getMinThickness() const { return min_thickness_; }
+  double getMinWidth() const { return min_width_; }
   void setNumberOfThreads(unsigned threads) { threads_ = threads; }
 
   template <typename V>
@@ -55,6 +63,7 @@ public:
       "distance between levels; 0: 0.3 d/4");
     v("step_over", step_over_, "mm", Range{0.05, 200}, "distance between rows");
     v("min_thickness", min_thickness_, "mm", Range{0, 50}, "thinner stock is left");
+    v("min_width", min_width_, "mm", Range{0, 50}, "narrower stock is left");
   }
 
 protected:
@@ -69,7 +78,8 @@ protected:
 
 private:
   Tool tool_ = Tool::flat(1, 10.0);
-  double allowance_ = 0.5, step_down_ = 0.0, step_over_ = 4.0, min_thickness_ = 0.0;
+  double allowance_ = 0.5, step_down_ = 0.0, step_over_ = 4.0;
+  double min_thickness_ = 0.0, min_width_ = 0.0;
   double floor_ = std::numeric_limits<double>::quiet_NaN();
   std::shared_ptr<const StockField> stock_;
   unsigned threads_ = 0;
