@@ -218,7 +218,7 @@ CLI::App* declareMill(CLI::App& app, MillCommand& command)
   add("--residual-limit",
       o.residual_limit,
       "MM",
-      "refuse where 5 % of the points keep more",
+      "refuse where half of the points keep more",
       "Accuracy");
   add("--clearance",
       o.clearance,

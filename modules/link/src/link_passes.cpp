@@ -93,84 +93,61 @@ void LinkPasses::checkParameters() const
 
 void LinkPasses::apply(CLCloud& output)
 {
-  const Tool grown = tool_.grown(allowance_);
   Builder path(tool_, cutting_, stock_.get(), output);
-  const double nothing = -std::numeric_limits<double>::infinity();
   std::size_t ramps = 0, plunges = 0, links = 0, retracts = 0, passes = 0;
 
   const auto& ids = *indices_;
   std::vector<Vector3d> pass;
   for (std::size_t begin = 0; begin < ids.size();) {
     std::size_t end = begin;
-    const std::uint32_t label = (*input_)[ids[begin]].label;
-    pass.clear();
-    for (; end < ids.size() && (*input_)[ids[end]].label == label; ++end) {
-      const Vector3d p = position((*input_)[ids[end]]);
-      if (!p.allFinite())
-        throw DataError("LinkPasses: CL point " + std::to_string(ids[end]) +
-                        " is not finite");
-      if (p.z() > clearance_)
-        throw DataError("LinkPasses: CL point " + std::to_string(ids[end]) +
-                        " lies above the clearance plane");
-      pass.push_back(p);
-    }
     const PointCL& first = (*input_)[ids[begin]];
-    const Vector3d start = pass.front();
-    const double around = tool_.radius();
-
-    bool linked = false;
-    if (!path.empty() && part_ && stay_down_ > 0) {
-      const Vector3d from = position(path.last());
-      const double away = (start - from).head<2>().norm();
-      if (away <= stay_down_) {
-        double z = part_->dropAlong(grown, from.x(), from.y(), start.x(), start.y());
-        z = std::max({z + allowance_, floor_, from.z(), start.z()});
-        const double stock =
-            stock_ ? stock_->highest(from.x(), from.y(), start.x(), start.y(), around)
-                   : nothing;
-        if (z < clearance_ && stock <= z + kLinkDepth) {
-          path.add({from.x(), from.y(), z}, Motion::Link, first);
-          path.add({start.x(), start.y(), z}, Motion::Link, first);
-          path.add(start, Motion::Link, first);
-          linked = true;
-          ++links;
-        }
-      }
+    pass.clear();
+    for (; end < ids.size() && (*input_)[ids[end]].label == first.label; ++end) {
+      pass.push_back(position((*input_)[ids[end]]));
+      const char* wrong = !pass.back().allFinite() ? " is not finite"
+                          : pass.back().z() > clearance_
+                              ? " lies above the clearance plane"
+                              : nullptr;
+      if (wrong)
+        throw DataError("LinkPasses: CL point " + std::to_string(ids[end]) + wrong);
     }
-    if (!linked) {
+    const Vector3d start = pass.front();
+
+    // How high the stock stands that the tool has to cut on its way down to the start.
+    const double top = highest(start, start, certainRadius());
+    const double lead = std::min(std::max(top, start.z()) + kNothing, clearance_);
+    double stay = clearance_;
+    if (!path.empty())
+      stay = linkHeight(position(path.last()), start);
+    if (stay < clearance_) {
+      const Vector3d from = position(path.last());
+      path.add({from.x(), from.y(), stay}, Motion::Link, first);
+      path.add({start.x(), start.y(), stay}, Motion::Link, first);
+      ++links;
+    }
+    else {
       if (!path.empty()) {
         const Vector3d from = position(path.last());
         path.add({from.x(), from.y(), clearance_}, Motion::Retract, first);
         ++retracts;
       }
       path.add({start.x(), start.y(), clearance_}, Motion::Rapid, first);
-      // Rapids mind every splinter that may stand at the rim; what the tool has to cut
-      // on its way down is what it stands on for certain.
-      const double rim =
-          stock_ ? stock_->highest(start.x(), start.y(), around) : start.z();
-      const double under = around - 2 * (stock_ ? stock_->cellSize() : 0.0);
-      const double top =
-          stock_ ? stock_->highest(start.x(), start.y(), std::max(0.0, under))
-                 : start.z();
-      const double down = std::max(rim, start.z()) + approach_;
+      // Rapids mind every splinter that may stand at the rim.
+      const double down =
+          std::max(highest(start, start, tool_.radius()), start.z()) + approach_;
       if (down < clearance_)
         path.add({start.x(), start.y(), down}, Motion::Rapid, first);
-      const double lead = std::max(top, start.z()) + kNothing;
-      if (lead < std::min(down, clearance_) - kNothing)
-        path.add({start.x(), start.y(), lead}, Motion::LeadIn, first);
-      if (top > start.z() + kNothing) {
-        const double above = std::min(lead, clearance_) - start.z();
-        const auto ramp = rampAlong(pass, above, ramp_angle_, 2 * tool_.diameter);
-        ramps += !ramp.empty();
-        plunges += ramp.empty();
-        if (!ramp.empty()) {
-          path.add(ramp.front(), Motion::Plunge, first); // through the air
-          for (const auto& p : ramp)
-            path.add(p, Motion::Ramp, first);
-        }
-      }
-      path.add(start, Motion::Plunge, first);
     }
+    if (lead < path.last().z - kNothing)
+      path.add({start.x(), start.y(), lead}, Motion::LeadIn, first);
+    if (top > start.z() + kNothing) {
+      const double above = std::min<double>(path.last().z, lead) - start.z();
+      const auto ramp = rampAlong(pass, above, ramp_angle_, 2 * tool_.diameter);
+      ++(ramp.empty() ? plunges : ramps);
+      for (const auto& p : ramp)
+        path.add(p, Motion::Ramp, first);
+    }
+    path.add(start, Motion::Plunge, first);
     for (std::size_t i = 1; i < pass.size(); ++i)
       path.add(pass[i], Motion::Cut, (*input_)[ids[begin + i]]);
     ++passes;
@@ -185,6 +162,31 @@ void LinkPasses::apply(CLCloud& output)
   report_.set("retracts", static_cast<double>(retracts));
   report_.set("ramps", static_cast<double>(ramps));
   report_.set("plunges", static_cast<double>(plunges));
+}
+
+double LinkPasses::certainRadius() const
+{
+  return stock_ ? std::max(0.0, tool_.radius() - 2 * stock_->cellSize()) : 0.0;
+}
+
+double LinkPasses::highest(const Vector3d& a, const Vector3d& b, double radius) const
+{
+  return stock_ ? stock_->highest(a.x(), a.y(), b.x(), b.y(), radius)
+                : -std::numeric_limits<double>::infinity();
+}
+
+double LinkPasses::linkHeight(const Vector3d& from, const Vector3d& to) const
+{
+  if (!part_ || (to - from).head<2>().norm() > stay_down_)
+    return clearance_;
+  const double higher = std::max(from.z(), to.z());
+  const double part =
+      part_->dropAlong(tool_.grown(allowance_), from.x(), from.y(), to.x(), to.y());
+  const double z = std::max({part + allowance_, floor_, higher});
+  // Over a hill, or through stock that no pass has taken, the way round is better.
+  if (z > higher + stay_down_ || highest(from, to, certainRadius()) > z + kLinkDepth)
+    return clearance_;
+  return std::min(z, clearance_);
 }
 
 PathFigures measurePath(const CLCloud& path, double rapid_rate)

@@ -161,17 +161,15 @@ void MillJob::makeMap()
   });
 }
 
-void MillJob::link(PlannedOperation& planned, const CLCloud& passes, bool stay_down)
+void MillJob::link(PlannedOperation& planned, const CLCloud& passes)
 {
   LinkPasses linker;
   linker.setTool(planned.operation.tool);
   linker.setCutting(planned.operation.cutting);
   linker.setClearancePlane(clearancePlane());
   linker.setStock(standing_);
-  if (stay_down) {
-    linker.setPart(surface_, planned.allowance, floor_);
-    linker.setStayDown(2 * planned.operation.tool.diameter);
-  }
+  linker.setPart(surface_, planned.allowance, floor_);
+  linker.setStayDown(2 * planned.operation.tool.diameter);
   linker.setInputCloud(CLCloud::ConstPtr(new CLCloud(passes)));
   linker.filter(planned.operation.path);
   for (const auto& p : listParameters(linker))
@@ -204,8 +202,9 @@ void MillJob::planRoughing(const ToolJob& job,
                            : 0.4 * job.tool.diameter);
   roughing.setFloor(floor_);
   roughing.setStock(standing_);
+  roughing.setPart(surface_);
   roughing.setRestLimits(min_thickness,
-                         min_thickness > 0 ? 0.6 * job.tool.diameter : 0.0);
+                         min_thickness > 0 ? 0.8 * job.tool.diameter : 0.0);
   roughing.setNumberOfThreads(options_.threads);
   roughing.setInputCloud(map_);
   CLCloud passes;
@@ -215,7 +214,7 @@ void MillJob::planRoughing(const ToolJob& job,
   planned.report = roughing.getReport();
   if (passes.empty()) // nothing that is worth this tool's while
     return;
-  link(planned, passes, false);
+  link(planned, passes);
   planned.seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   operations_.push_back(std::move(planned));
@@ -256,7 +255,7 @@ void MillJob::planFinishing(const ToolJob& job, const std::string& name, double 
   planned.report = raster.getReport();
   for (const auto& f : buffer.getReport().figures())
     planned.report.set("buffer_" + f.first, f.second);
-  link(planned, *passes, true);
+  link(planned, *passes);
   planned.seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   operations_.push_back(std::move(planned));

@@ -19,7 +19,7 @@ struct Offset {
   float height;
 };
 
-/// Footprint of a cutter over a grid of `cell` mm whose profile is `height(distance)`,
+/// Footprint of a cutter over a grid of `cell` mm whose profile is `height(dx, dy)`,
 /// infinite outside. `distance(d)` turns the distance between two cells' centres into
 /// the one that counts.
 template <typename Height>
@@ -63,41 +63,43 @@ std::vector<float> filterMax(const CellGrid& grid,
 } // namespace
 
 LevelMap::LevelMap(const CellCloud& map,
+                   const PointIndex* part,
                    const Tool& tool,
                    double allowance,
                    const StockField& stock,
                    double min_thickness,
                    double min_width,
                    unsigned threads)
-    : radius_(tool.radius())
+    : threads_(threads), grid_(CellGrid::of(map)), radius_(tool.radius())
 {
-  const CellGrid cells = CellGrid::of(map);
-  const double cell = cells.cell, half = cell / 2;
-  const Tool grown = tool.grown(allowance);
-
   // The map's grid, extended so that the tool can run round the stock and the part.
+  const CellGrid cells = grid_;
+  const double cell = cells.cell, room = tool.radius() + allowance + 2 * cell;
   const auto extra = [&](double gap) {
-    return std::max(0, static_cast<int>(std::ceil(gap / cell)));
+    return std::max(0, static_cast<int>(std::ceil((gap + room) / cell)));
   };
-  const double room = grown.radius() + 2 * cell;
   const Stock& box = stock.stock();
-  const int left = extra(cells.x0 - box.min.x() + room);
-  const int below = extra(cells.y0 - box.min.y() + room);
-  const int right = extra(box.max.x() - (cells.x0 + cells.columns * cell) + room);
-  const int above = extra(box.max.y() - (cells.y0 + cells.rows * cell) + room);
-  grid_ = cells;
+  const int left = extra(cells.x0 - box.min.x());
+  const int below = extra(cells.y0 - box.min.y());
   grid_.x0 -= left * cell;
   grid_.y0 -= below * cell;
-  grid_.columns += left + right;
-  grid_.rows += below + above;
+  grid_.columns += left + extra(box.max.x() - (cells.x0 + cells.columns * cell));
+  grid_.rows += below + extra(box.max.y() - (cells.y0 + cells.rows * cell));
 
+  if (part)
+    dropOnPoints(*part, tool, allowance);
+  else
+    dropOnCells(map, tool.grown(allowance), allowance);
+  measureStock(stock, tool, min_thickness, min_width);
+}
+
+void LevelMap::dropOnCells(const CellCloud& map, const Tool& grown, double allowance)
+{
+  const double cell = grid_.cell, half = cell / 2;
   std::vector<float> part(grid_.size(), kNothing);
-  for (int r = 0; r < cells.rows; ++r)
-    for (int c = 0; c < cells.columns; ++c) {
-      const auto& from = map[cells.index(c, r)];
-      if (from.getState() != CellState::Empty)
-        part[grid_.index(c + left, r + below)] = from.z;
-    }
+  for (const auto& from : map)
+    if (from.getState() != CellState::Empty)
+      part[grid_.index(grid_.columnOf(from.x), grid_.rowOf(from.y))] = from.z;
   // A cell's points may lie anywhere in it; a move between two nodes passes a point up
   // to half a diagonal step nearer than the nearer node does. 1e-4 covers float32.
   const auto keep_away = [&](double dx, double dy) {
@@ -107,33 +109,59 @@ LevelMap::LevelMap(const CellCloud& map,
     return grown.profile(std::sqrt(std::max(0.0, d2)) - 1e-4);
   };
   lowest_ = filterMax(
-      grid_, part, footprint(grown.radius() + 2 * cell, cell, keep_away), threads);
+      grid_, part, footprint(grown.radius() + 2 * cell, cell, keep_away), threads_);
   for (auto& z : lowest_)
     z += static_cast<float>(allowance);
+}
 
-  // The stock on the same grid, less what the tool could not make thinner anyway.
+void LevelMap::dropOnPoints(const PointIndex& part, const Tool& tool, double allowance)
+{
+  // Wider by what a point may be nearer to a move between two nodes than to the nearer
+  // of them: the sagitta of half a diagonal step.
+  const double r = tool.radius() + allowance;
+  const double wider = std::sqrt(r * r + grid_.cell * grid_.cell / 2) - r + 1e-4;
+  const Tool grown = tool.grown(allowance + wider);
+  lowest_.assign(grid_.size(), kNothing);
+  parallelFor(static_cast<std::size_t>(grid_.rows), threads_, [&](std::size_t row) {
+    for (int c = 0; c < grid_.columns; ++c) {
+      const Contact contact =
+          part.drop(grown, grid_.x(c), grid_.y(static_cast<int>(row)));
+      if (contact.touches())
+        lowest_[row * grid_.columns + c] =
+            static_cast<float>(contact.tip + allowance + wider);
+    }
+  });
+}
+
+void LevelMap::measureStock(const StockField& stock,
+                            const Tool& tool,
+                            double min_thickness,
+                            double min_width)
+{
+  const double cell = grid_.cell;
   std::vector<float> standing(grid_.size(), kNothing);
   for (int r = 0; r < grid_.rows; ++r)
     for (int c = 0; c < grid_.columns; ++c)
       standing[grid_.index(c, r)] =
           static_cast<float>(stock.highest(grid_.x(c), grid_.y(r), 0.0));
   // Under the tool for certain: what a pass over the node would cut away.
-  const double certain = tool.radius() - std::sqrt(2.0) * stock.cellSize();
+  const double certain =
+      std::max(0.0, tool.radius() - std::sqrt(2.0) * stock.cellSize());
   const auto under = [&](double dx, double dy) {
     const double d = std::hypot(dx, dy);
-    return d <= std::max(certain, 0.0) ? tool.profile(d)
-                                       : std::numeric_limits<double>::infinity();
+    return d <= certain ? tool.profile(d) : std::numeric_limits<double>::infinity();
   };
   if (min_thickness > 0) {
-    auto raised = lowest_;
-    for (auto& z : raised) // the lower envelope is the upper one of the negative
+    // Leave what is not much thicker than the tool would leave it ...
+    auto depth = lowest_; // a lower envelope is the upper one of the negative
+    for (auto& z : depth)
       z = -z;
     const auto left_over =
-        filterMax(grid_, raised, footprint(tool.radius(), cell, under), threads);
-    // ... and what is thick only as a skin on a wall.
+        filterMax(grid_, depth, footprint(tool.radius(), cell, under), threads_);
     std::vector<unsigned char> thin(grid_.size()), core(grid_.size());
     for (std::size_t i = 0; i < standing.size(); ++i)
       thin[i] = !(standing[i] + left_over[i] > min_thickness);
+    // ... and what is thick only as a skin on a wall.
     const double half_width = min_width / 2 / cell;
     const auto to_thin = distanceField(thin, grid_.columns, grid_.rows);
     for (std::size_t i = 0; i < standing.size(); ++i)
@@ -147,7 +175,42 @@ LevelMap::LevelMap(const CellCloud& map,
     return std::isfinite(under(dx, dy)) ? 0.0 : std::numeric_limits<double>::infinity();
   };
   stock_top_ =
-      filterMax(grid_, standing, footprint(tool.radius(), cell, flat), threads);
+      filterMax(grid_, standing, footprint(tool.radius(), cell, flat), threads_);
+}
+
+std::vector<int> LevelMap::regions(double floor) const
+{
+  std::vector<unsigned char> needed(grid_.size());
+  for (std::size_t i = 0; i < needed.size(); ++i)
+    needed[i] = stock_top_[i] > std::max<double>(lowest_[i], floor) + 1e-3;
+  const auto distance = distanceField(needed, grid_.columns, grid_.rows);
+  const double reach = radius_ / grid_.cell + 1;
+
+  std::vector<int> region(grid_.size(), 0);
+  std::vector<std::size_t> open;
+  int count = 0;
+  for (std::size_t seed = 0; seed < region.size(); ++seed) {
+    if (region[seed] || distance[seed] > reach)
+      continue;
+    region[seed] = ++count;
+    open.assign(1, seed);
+    while (!open.empty()) {
+      const int column = static_cast<int>(open.back() % grid_.columns);
+      const int row = static_cast<int>(open.back() / grid_.columns);
+      open.pop_back();
+      for (int r = std::max(0, row - 1); r <= std::min(grid_.rows - 1, row + 1); ++r)
+        for (int c = std::max(0, column - 1);
+             c <= std::min(grid_.columns - 1, column + 1);
+             ++c) {
+          const std::size_t at = grid_.index(c, r);
+          if (region[at] == 0 && distance[at] <= reach) {
+            region[at] = count;
+            open.push_back(at);
+          }
+        }
+    }
+  }
+  return region;
 }
 
 } // namespace pointmill

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace pointmill {
 namespace {
@@ -46,8 +47,8 @@ void forMoves(const LevelMap& map, const Chain& chain, double z, Move&& move)
 std::vector<Chain> piecesToCut(
     const LevelMap& map, const StockField& work, const Chain& loop, double z, int gap)
 {
-  const double certain =
-      std::max(0.0, map.radius() - 2 * std::sqrt(2.0) * work.cellSize());
+  // highest() looks half a diagonal further; cut() cuts what is half a diagonal inside.
+  const double certain = std::max(0.0, map.radius() - std::sqrt(2.0) * work.cellSize());
   std::vector<Chain> pieces;
   int idle = gap + 1;
   for (const Node n : loop) {
@@ -66,6 +67,35 @@ std::vector<Chain> piecesToCut(
                               [](const Chain& c) { return c.size() < 2; }),
                pieces.end());
   return pieces;
+}
+
+/// One pass as it was planned: its corners and its level.
+struct Pass {
+  Chain chain;
+  std::size_t level;
+};
+
+int stepsBetween(Node a, Node b)
+{
+  return std::abs(a.column - b.column) + std::abs(a.row - b.row);
+}
+
+/// The order in which regions that have no stock in common are each finished from top
+/// to bottom, so that the tool stays where it is.
+std::vector<std::size_t>
+byRegion(const LevelMap& map, double floor, const std::vector<Pass>& passes)
+{
+  const auto regions = map.regions(floor);
+  const auto region = [&](std::size_t i) {
+    const Node n = passes[i].chain.front();
+    return regions[map.grid().index(n.column, n.row)];
+  };
+  std::vector<std::size_t> order(passes.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return region(a) < region(b);
+  });
+  return order;
 }
 
 } // namespace
@@ -110,43 +140,54 @@ void LevelRoughing::apply(CLCloud& output)
   slices.setPitch(step_down_ > 0 ? step_down_
                                  : ZSlices::pitchForDiameter(tool_.diameter));
   const auto levels = slices.levels();
-  const LevelMap map(
-      *input_, tool_, allowance_, *stock, min_thickness_, min_width_, threads_);
+  const LevelMap map(*input_,
+                     part_.get(),
+                     tool_,
+                     allowance_,
+                     *stock,
+                     min_thickness_,
+                     min_width_,
+                     threads_);
 
   StockField work = *stock;
-  std::uint32_t pass = 0, used = 0;
+  std::vector<Pass> passes;
+  std::size_t used = 0;
   for (std::size_t k = 0; k < levels.size(); ++k) {
     const double z = levels[k];
-    const auto cut = [&](const Chain& chain) {
-      forMoves(
-          map, chain, z, [&](const auto& a, const auto& b) { work.cut(tool_, a, b); });
+    const std::size_t before = passes.size();
+    const auto take = [&](const Chain& chain) {
+      passes.push_back({corners(chain), k});
+      forMoves(map, passes.back().chain, z, [&](const auto& a, const auto& b) {
+        work.cut(tool_, a, b);
+      });
     };
-    const auto emit = [&](const Chain& chain) {
-      for (const Node n : corners(chain)) {
-        PointCL p(map.x(n), map.y(n), z);
-        p.label = pass;
-        p.level = static_cast<std::uint32_t>(k);
-        output.push_back(p);
-      }
-      ++pass;
-    };
-    const auto chains = clearLevel(map, z);
-    for (const auto& chain : chains) {
-      cut(corners(chain));
-      emit(chain);
-    }
-    bool any = !chains.empty();
+    for (const auto& chain : clearLevel(map, z))
+      take(chain);
     for (const auto& loop : borderLoops(map, z))
-      for (const auto& piece : piecesToCut(map, work, loop, z, stride(map))) {
-        cut(corners(piece));
-        emit(piece);
-        any = true;
-      }
-    used += any;
+      for (const auto& piece : piecesToCut(map, work, loop, z, stride(map)))
+        take(piece);
+    used += passes.size() > before;
+  }
+
+  std::uint32_t label = 0;
+  Node at;
+  for (const std::size_t i : byRegion(map, levels.back(), passes)) {
+    Pass& pass = passes[i];
+    if (label > 0 &&
+        stepsBetween(at, pass.chain.back()) < stepsBetween(at, pass.chain.front()))
+      std::reverse(pass.chain.begin(), pass.chain.end());
+    at = pass.chain.back();
+    for (const Node n : pass.chain) {
+      PointCL p(map.x(n), map.y(n), levels[pass.level]);
+      p.label = label;
+      p.level = static_cast<std::uint32_t>(pass.level);
+      output.push_back(p);
+    }
+    ++label;
   }
   report_.set("levels", static_cast<double>(levels.size()));
-  report_.set("levels_cut", used);
-  report_.set("passes", pass);
+  report_.set("levels_cut", static_cast<double>(used));
+  report_.set("passes", label);
   report_.set("cl_points", static_cast<double>(output.size()));
 }
 

@@ -48,12 +48,12 @@ Verification ProgramVerifier::verify(const Program& program) const
                                result.rapid_depth,
                                {0, 0, 0},
                                result.rapid_line});
-  if (result.residual.p95 > residual_limit_)
+  if (result.residual.p50 > residual_limit_)
     result.findings.push_back({"residual",
-                               "5 % of the points keep more than " +
-                                   millimetres(result.residual.p95) +
+                               "half of the points keep more than " +
+                                   millimetres(result.residual.p50) +
                                    " of material over what the last tool could leave",
-                               result.residual.p95,
+                               result.residual.p50,
                                {0, 0, 0},
                                0});
   return result;

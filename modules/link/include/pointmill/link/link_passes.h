@@ -77,6 +77,14 @@ protected:
   void apply(CLCloud& output) override;
 
 private:
+  /// Radius within which a pass over a place has certainly cut.
+  double certainRadius() const;
+  /// Highest stock within a radius of a move.
+  double
+  highest(const Eigen::Vector3d& a, const Eigen::Vector3d& b, double radius) const;
+  /// Height of a level feed move between two passes; the clearance plane for none.
+  double linkHeight(const Eigen::Vector3d& from, const Eigen::Vector3d& to) const;
+
   Tool tool_ = Tool::flat(1, 10.0);
   Cutting cutting_;
   double clearance_ = std::numeric_limits<double>::quiet_NaN();

@@ -86,7 +86,7 @@ private:
   void makeMap();
   void planRoughing(const ToolJob& job, const std::string& name, double min_thickness);
   void planFinishing(const ToolJob& job, const std::string& name, double scallop);
-  void link(PlannedOperation& planned, const CLCloud& passes, bool stay_down);
+  void link(PlannedOperation& planned, const CLCloud& passes);
   void writeProgram();
   void verify();
   void timed(const std::string& stage, double done, const std::function<void()>& work);

@@ -58,7 +58,7 @@ struct MillOptions {
   ToolJob semi{Tool::ball(2, 5.0), {12000, 1200, 300, true}, 0.2};
   ToolJob finish{Tool::ball(3, 3.0), {16000, 1000, 300, true}, 0.0};
 
-  double residual_limit = 1.0; ///< refuse where 5 % of the points keep more [mm]
+  double residual_limit = 0.5; ///< refuse where half of the points keep more [mm]
   unsigned threads = 0;
 
   /// @throws ParameterError

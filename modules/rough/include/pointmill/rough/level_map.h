@@ -3,6 +3,7 @@
 #pragma once
 
 #include <pointmill/slice/cell_grid.h>
+#include <pointmill/surface/point_index.h>
 #include <pointmill/surface/stock_field.h>
 
 #include <Eigen/Core>
@@ -23,18 +24,21 @@ struct Node {
 /// grid of nodes that reaches beyond the stock, how low the tool may go and how high
 /// the stock stands that it would cut there. Made once, it answers every level.
 ///
-/// The part is the occupancy map grown by the cutter's radius and the allowance: every
-/// cell keeps the tool away as if its highest point filled it, so that no point of it
-/// can be gouged, and straight moves between neighbouring nodes (diagonals too) are as
-/// safe as the nodes.
+/// The part is grown by the cutter and the allowance, so that nothing is gouged.
+/// Without an index of its points the occupancy map is what is grown: every cell keeps
+/// the tool away as if its highest point filled it. With one, heights are exact and the
+/// cell does not decide the accuracy. Straight moves between neighbouring nodes
+/// (diagonals too) are as safe as the nodes.
 class LevelMap {
 public:
   /// @param map organised occupancy map of the part; empty cells hold no part
+  /// @param part the part's points and what bridges their gaps, or null
   /// @param allowance material to leave on the part, along its normal [mm]
   /// @param min_thickness stock less thick than this above what the tool would leave is
   ///        not worth cutting [mm]; 0: all of it is
   /// @param min_width nor is thicker stock that is a skin narrower than this [mm]
   LevelMap(const CellCloud& map,
+           const PointIndex* part,
            const Tool& tool,
            double allowance,
            const StockField& stock,
@@ -58,7 +62,20 @@ public:
     return isFree(n, z) && stock_top_[grid_.index(n.column, n.row)] > z + 1e-3;
   }
 
+  /// @brief A number for every node, the same where the tool, on whatever level, may
+  /// cut the same stock: nodes that are needed on some level and less than a diameter
+  /// apart. 0: far from all stock.
+  std::vector<int> regions(double floor) const;
+
 private:
+  void dropOnCells(const CellCloud& map, const Tool& grown, double allowance);
+  void dropOnPoints(const PointIndex& part, const Tool& tool, double allowance);
+  void measureStock(const StockField& stock,
+                    const Tool& tool,
+                    double min_thickness,
+                    double min_width);
+
+  unsigned threads_;
   CellGrid grid_;
   double radius_;
   std::vector<float> lowest_, stock_top_;

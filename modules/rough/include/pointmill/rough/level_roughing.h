@@ -50,6 +50,9 @@ public:
   }
   double getMinThickness() const { return min_thickness_; }
   double getMinWidth() const { return min_width_; }
+  /// @brief The part's points, with what bridges their gaps, for exact heights; without
+  /// them the map's cells are what is kept clear of.
+  void setPart(std::shared_ptr<const PointIndex> part) { part_ = std::move(part); }
   void setNumberOfThreads(unsigned threads) { threads_ = threads; }
 
   template <typename V>
@@ -82,6 +85,7 @@ private:
   double min_thickness_ = 0.0, min_width_ = 0.0;
   double floor_ = std::numeric_limits<double>::quiet_NaN();
   std::shared_ptr<const StockField> stock_;
+  std::shared_ptr<const PointIndex> part_;
   unsigned threads_ = 0;
 };
 

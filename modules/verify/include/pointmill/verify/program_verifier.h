@@ -77,7 +77,7 @@ public:
   void setTools(std::vector<Tool> tools) { tools_ = std::move(tools); }
   /// @brief Points that get deeper into a tool than this are gouged [mm].
   void setTolerance(double tolerance) { tolerance_ = tolerance; }
-  /// @brief Refuse a program that leaves more than this over 5 % of the points [mm].
+  /// @brief Refuse a program that leaves more than this over half of the points [mm].
   void setResidualLimit(double limit) { residual_limit_ = limit; }
   /// @brief Edge of a stock cell [mm].
   void setCellSize(double cell) { cell_ = cell; }
@@ -87,7 +87,7 @@ public:
   void parameters(V&& v)
   {
     v("tolerance", tolerance_, "mm", Range{1e-4, 10}, "deepest gouge that passes");
-    v("residual_limit", residual_limit_, "mm", Range{1e-3, 1e4}, "most p95 residual");
+    v("residual_limit", residual_limit_, "mm", Range{1e-3, 1e4}, "most median residual");
     v("cell_size", cell_, "mm", Range{0.01, 50}, "edge of a stock cell");
   }
 
