@@ -254,6 +254,11 @@ CLI::App* declareMill(CLI::App& app, MillCommand& command)
       ->type_name("x|y")
       ->default_str("x")
       ->group("Operations");
+  add("--steep",
+      o.steep,
+      "DEG",
+      "steeper ground is rastered across as well; 0: never",
+      "Operations");
   mill->add_option("--threads", o.threads, "0: all of the machine")
       ->capture_default_str()
       ->group("Operations");

@@ -23,6 +23,30 @@ struct Places {
   double operator[](std::size_t i) const { return low + static_cast<double>(i) * step; }
 };
 
+/// The stretches of a pass along which it is steeper than `slope`, with a point more at
+/// both ends.
+std::vector<CLCloud> steepParts(const CLCloud& pass, double slope)
+{
+  const std::size_t n = pass.size();
+  std::vector<unsigned char> keep(n, 0);
+  for (std::size_t i = 1; i < n; ++i) {
+    const double run = std::hypot(pass[i].x - pass[i - 1].x, pass[i].y - pass[i - 1].y);
+    if (std::abs(pass[i].z - pass[i - 1].z) <= slope * run)
+      continue;
+    for (std::size_t k = i >= 2 ? i - 2 : 0; k <= std::min(n - 1, i + 1); ++k)
+      keep[k] = 1;
+  }
+  std::vector<CLCloud> parts;
+  for (std::size_t i = 0; i < n; ++i) {
+    if (!keep[i])
+      continue;
+    if (i == 0 || !keep[i - 1])
+      parts.emplace_back();
+    parts.back().push_back(pass[i]);
+  }
+  return parts;
+}
+
 } // namespace
 
 CLCloud Raster::over(const PointIndex& index) const
@@ -59,6 +83,13 @@ CLCloud Raster::over(const PointIndex& index) const
       p.normal_y = static_cast<float>(n.y());
       p.normal_z = static_cast<float>(n.z());
       mine.back().push_back(p);
+    }
+    if (min_slope > 0) {
+      std::vector<CLCloud> steep;
+      for (const auto& pass : mine)
+        for (auto& part : steepParts(pass, std::tan(min_slope * M_PI / 180)))
+          steep.push_back(std::move(part));
+      mine = std::move(steep);
     }
   });
 

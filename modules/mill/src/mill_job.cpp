@@ -4,6 +4,7 @@
 #include <pointmill/gcode/gcode_writer.h>
 #include <pointmill/io/raw_scan.h>
 #include <pointmill/io/scan.h>
+#include <pointmill/link/order_passes.h>
 #include <pointmill/mill/mill_job.h>
 #include <pointmill/rough/level_roughing.h>
 
@@ -220,22 +221,20 @@ void MillJob::planRoughing(const ToolJob& job,
   operations_.push_back(std::move(planned));
 }
 
-void MillJob::planFinishing(const ToolJob& job, const std::string& name, double scallop)
+CLCloud MillJob::rasterPasses(const ToolJob& job,
+                              double scallop,
+                              RasterDirection direction,
+                              double min_slope,
+                              PlannedOperation& planned) const
 {
-  PlannedOperation planned;
-  planned.operation.name = name;
-  planned.operation.tool = job.tool;
-  planned.operation.cutting = job.cutting;
-  planned.allowance = job.allowance;
-  const auto start = std::chrono::steady_clock::now();
-
   CLSurface<pcl::PointXYZ> raster;
   raster.setTool(job.tool);
   raster.setScallop(scallop);
   raster.setForwardStep(job.tool.radius() / 3);
   raster.setAllowance(job.allowance);
   raster.setFloor(floor_);
-  raster.setDirection(options_.raster);
+  raster.setDirection(direction);
+  raster.setMinSlope(min_slope);
   raster.setIndex(surface_);
   raster.setNumberOfThreads(options_.threads);
 
@@ -247,15 +246,54 @@ void MillJob::planFinishing(const ToolJob& job, const std::string& name, double 
   buffer.setTolerance(ErrorBudget::of(options_.tolerance).chord);
   buffer.setNumberOfThreads(options_.threads);
 
-  const auto passes = pointmill::run<pcl::PointXYZ>(part_, raster, buffer);
+  CLCloud::Ptr lines(new CLCloud);
+  raster.setInputCloud(part_);
+  raster.filter(*lines);
+  const std::string prefix = min_slope > 0 ? "steep_" : "";
+  for (const auto& f : raster.getReport().figures())
+    planned.report.set(prefix + "raster_" + f.first, f.second);
+  if (lines->empty()) // nothing is that steep
+    return {};
+  OrderPasses order;
+  const CLCloud passes = *pointmill::run<PointCL>(lines, buffer, order);
+  for (const auto& f : order.getReport().figures())
+    planned.report.set(prefix + "order_" + f.first, f.second);
+  for (const auto& f : buffer.getReport().figures())
+    planned.report.set(prefix + "buffer_" + f.first, f.second);
+  if (min_slope > 0)
+    return passes;
   planned.parameters = listParameters(raster);
   for (const auto& p : listParameters(buffer))
     if (p.name != "allowance")
       planned.parameters.push_back(p);
-  planned.report = raster.getReport();
-  for (const auto& f : buffer.getReport().figures())
-    planned.report.set("buffer_" + f.first, f.second);
-  link(planned, *passes);
+  return passes;
+}
+
+void MillJob::planFinishing(const ToolJob& job,
+                            const std::string& name,
+                            double scallop,
+                            bool steep_too)
+{
+  PlannedOperation planned;
+  planned.operation.name = name;
+  planned.operation.tool = job.tool;
+  planned.operation.cutting = job.cutting;
+  planned.allowance = job.allowance;
+  const auto start = std::chrono::steady_clock::now();
+
+  CLCloud passes = rasterPasses(job, scallop, options_.raster, 0.0, planned);
+  if (options_.steep > 0 && steep_too) {
+    // Where the ground falls across the lines they lie too far apart on it.
+    const auto across = options_.raster == RasterDirection::AlongX
+                            ? RasterDirection::AlongY
+                            : RasterDirection::AlongX;
+    CLCloud steep = rasterPasses(job, scallop, across, options_.steep, planned);
+    const std::uint32_t next = passes.empty() ? 0 : passes.back().label + 1;
+    for (auto& p : steep)
+      p.label += next;
+    passes += steep;
+  }
+  link(planned, passes);
   planned.seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   operations_.push_back(std::move(planned));
@@ -328,7 +366,7 @@ void MillJob::plan(const std::string& scan)
     planRoughing(rest, "rest roughing", 0.4 * rest.tool.diameter);
   });
   timed("semi-finishing", 0.35, [&] {
-    planFinishing(options_.semi, "semi-finishing", options_.semi_scallop);
+    planFinishing(options_.semi, "semi-finishing", options_.semi_scallop, false);
   });
   rest = options_.finish;
   rest.allowance = std::max(rest.allowance, options_.semi.allowance);
@@ -336,7 +374,7 @@ void MillJob::plan(const std::string& scan)
     planRoughing(rest, "rest roughing, fine", 0.4 * rest.tool.diameter);
   });
   timed("finishing", 0.5, [&] {
-    planFinishing(options_.finish, "finishing", options_.scallop);
+    planFinishing(options_.finish, "finishing", options_.scallop, true);
   });
   timed("write", 0.65, [&] { writeProgram(); });
   timed("verify", 0.7, [&] { verify(); });

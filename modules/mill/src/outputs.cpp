@@ -85,8 +85,8 @@ PreviewScene sceneOf(const MillJob& job, const std::string& title)
   int number = 0;
   for (const auto& planned : job.operations())
     scene.operations.push_back({std::to_string(++number) + "  " +
-                                    planned.operation.name + ", " +
-                                    planned.operation.tool.describe(),
+                                    planned.operation.name + ", T" +
+                                    std::to_string(planned.operation.tool.number),
                                 &planned.operation.path});
   const Verification& v = job.verification();
   double gap_area = 0;

@@ -35,7 +35,7 @@ inline std::uint8_t toByte(float v)
 // Operations take turns in these, from the palette of Okabe and Ito, which people with
 // any colour vision tell apart.
 constexpr Rgb kOperations[] = {
-    hex(0x0072B2), hex(0xE69F00), hex(0x009E73), hex(0xCC79A7), hex(0x56B4E9)};
+    hex(0x0072B2), hex(0xE69F00), hex(0x56B4E9), hex(0xCC79A7), hex(0x009E73)};
 constexpr int kOperationCount = 5;
 
 constexpr Rgb kRapid = hex(0x1A1A1A);

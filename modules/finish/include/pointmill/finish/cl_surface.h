@@ -51,6 +51,11 @@ public:
   /// @brief The tip goes no lower than this [mm]; by default the lowest point.
   void setFloor(double floor) { floor_ = floor; }
   void setDirection(RasterDirection direction) { direction_ = direction; }
+  /// @brief Keep only the stretches of the lines that climb or fall more steeply than
+  /// this [degrees]; 0: all. A raster across the first one needs to go only where the
+  /// first one's lines lie far apart on the surface.
+  void setMinSlope(double degrees) { min_slope_ = degrees; }
+  double getMinSlope() const { return min_slope_; }
   /// @brief An index of the same points (and of what bridges their gaps), so that
   /// several stages share it. By default the stage makes one of its input.
   void setIndex(std::shared_ptr<const PointIndex> index) { index_ = std::move(index); }
@@ -70,6 +75,7 @@ public:
       Range{0.001, 100},
       "distance between CL points");
     v("allowance", allowance_, "mm", Range{0, 20}, "material left on the part");
+    v("min_slope", min_slope_, "deg", Range{0, 89}, "flatter stretches are left out");
   }
 
 protected:
@@ -82,7 +88,7 @@ protected:
 
 private:
   Tool tool_ = Tool::ball(1, 3.0);
-  double step_over_ = 0.35, forward_step_ = 0.5, allowance_ = 0.0;
+  double step_over_ = 0.35, forward_step_ = 0.5, allowance_ = 0.0, min_slope_ = 0.0;
   double floor_ = -std::numeric_limits<double>::infinity();
   RasterDirection direction_ = RasterDirection::AlongX;
   std::shared_ptr<const PointIndex> index_;
@@ -92,7 +98,7 @@ private:
 /// @brief The raster itself, on numbers: what CLSurface does once it has an index.
 struct Raster {
   Tool tool;
-  double step_over, forward_step, allowance, floor;
+  double step_over, forward_step, allowance, floor, min_slope;
   RasterDirection direction;
   unsigned threads;
 

@@ -85,7 +85,15 @@ private:
   void readAndAlign(const std::string& scan);
   void makeMap();
   void planRoughing(const ToolJob& job, const std::string& name, double min_thickness);
-  void planFinishing(const ToolJob& job, const std::string& name, double scallop);
+  void planFinishing(const ToolJob& job,
+                     const std::string& name,
+                     double scallop,
+                     bool steep_too);
+  CLCloud rasterPasses(const ToolJob& job,
+                       double scallop,
+                       RasterDirection direction,
+                       double min_slope,
+                       PlannedOperation& planned) const;
   void link(PlannedOperation& planned, const CLCloud& passes);
   void writeProgram();
   void verify();

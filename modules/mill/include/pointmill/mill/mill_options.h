@@ -54,6 +54,8 @@ struct MillOptions {
   double step_down = 0.0; ///< of the roughing; 0: 0.3 d / 4
   double step_over = 0.0; ///< of the roughing; 0: 0.4 d
   RasterDirection raster = RasterDirection::AlongX;
+  double steep =
+      45.0; ///< steeper ground [degrees] is rastered across as well; 0: never
   ToolJob rough{Tool::flat(1, 10.0), {8000, 1200, 300, true}, 0.5};
   ToolJob semi{Tool::ball(2, 5.0), {12000, 1200, 300, true}, 0.2};
   ToolJob finish{Tool::ball(3, 3.0), {16000, 1000, 300, true}, 0.0};

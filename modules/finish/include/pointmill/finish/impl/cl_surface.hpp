@@ -14,9 +14,15 @@ void CLSurface<PointT>::apply(CLCloud& output)
     index = std::make_shared<PointIndex>(makePointIndex(
         *this->input_, *this->indices_, pcl::PointCloud<pcl::PointXYZ>()));
   const double floor = std::isfinite(floor_) ? floor_ : index->min().z();
-  output =
-      Raster{tool_, step_over_, forward_step_, allowance_, floor, direction_, threads_}
-          .over(*index);
+  output = Raster{tool_,
+                  step_over_,
+                  forward_step_,
+                  allowance_,
+                  floor,
+                  min_slope_,
+                  direction_,
+                  threads_}
+               .over(*index);
   this->report_.set("cl_points", static_cast<double>(output.size()));
   this->report_.set("passes", output.empty() ? 0.0 : output.back().label + 1.0);
   this->report_.set("step_over_mm", step_over_);
