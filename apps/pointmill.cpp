@@ -26,7 +26,10 @@ int main(int argc, char** argv)
       return runMill(mill);
   }
   catch (const CLI::ParseError& e) {
-    return app.exit(e) == 0 ? 0 : 1;
+    if (e.get_exit_code() == 0) // --help, --version
+      return app.exit(e);
+    std::cerr << "pointmill: " << e.what() << " (pointmill mill --help)\n";
+    return 1;
   }
   catch (const pointmill::VerificationError& e) {
     std::cerr << "pointmill: " << e.what() << '\n';

@@ -63,13 +63,12 @@ TEST(Gaps, AHoleIsAGapAndABayIsNot)
   EXPECT_EQ(countOf(gaps), 100 + 0);
   EXPECT_TRUE(gaps[grid.index(15, 15)]);
   EXPECT_FALSE(gaps[grid.index(15, 2)]);
-  const auto regions = gapRegions(grid, occupied, gaps, 1.5);
+  const auto regions = gapRegions(grid, wideGaps(grid, occupied, gaps, 1.5));
   ASSERT_EQ(regions.size(), 1u);
   EXPECT_DOUBLE_EQ(regions[0].area, 100);
   EXPECT_NEAR(regions[0].centre.x(), 15, 1e-9);
   EXPECT_EQ(regions[0].min.y(), 10);
   EXPECT_EQ(regions[0].max.x(), 20);
-  EXPECT_FALSE(regions[0].between_points);
 }
 
 TEST(Gaps, SparsePointsAreNoGap)
@@ -81,8 +80,56 @@ TEST(Gaps, SparsePointsAreNoGap)
       occupied[grid.index(c, r)] = 1;
   const auto gaps = findGaps(grid, occupied, 3.0);
   EXPECT_TRUE(gaps[grid.index(20, 20)] || occupied[grid.index(20, 20)]);
-  for (const auto& region : gapRegions(grid, occupied, gaps, 3.0))
-    EXPECT_TRUE(region.between_points);
+  EXPECT_EQ(countOf(wideGaps(grid, occupied, gaps, 3.0)), 0);
+}
+
+TEST(Gaps, ARealGapAmongSparsePointsIsOnlyAsWideAsItIs)
+{
+  const CellGrid grid = unitGrid(60, 60);
+  std::vector<unsigned char> occupied(grid.size(), 0);
+  for (int r = 0; r < 60; r += 2)
+    for (int c = 0; c < 60; c += 2)
+      occupied[grid.index(c, r)] = std::hypot(c - 30, r - 30) > 10;
+  const auto wide = wideGaps(grid, occupied, findGaps(grid, occupied, 3.0), 3.0);
+  EXPECT_TRUE(wide[grid.index(30, 30)]);
+  EXPECT_FALSE(wide[grid.index(5, 5)]);
+  EXPECT_NEAR(countOf(wide), M_PI * 100, 60);
+  EXPECT_EQ(gapRegions(grid, wide).size(), 1u);
+}
+
+TEST(Gaps, BetweenPointsOfASlopeLiesTheSlope)
+{
+  const CellGrid grid = unitGrid(40, 40);
+  std::vector<unsigned char> between(grid.size(), 1);
+  std::vector<double> height(grid.size(), NAN);
+  std::vector<Eigen::Vector3f> points;
+  std::mt19937 random(6);
+  for (int i = 0; i < 400; ++i) { // every other cell, somewhere in it
+    const float x = float(i % 20) * 2 + float(random() % 100) / 100;
+    const float y = float(i / 20) * 2 + float(random() % 100) / 100;
+    points.emplace_back(x, y, 2 * x - y);
+    const auto at = grid.index(grid.columnOf(x), grid.rowOf(y));
+    between[at] = 0;
+  }
+  fillBetweenPoints(grid, between, points, height);
+  for (int r = 8; r < 32; ++r)
+    for (int c = 8; c < 32; ++c)
+      if (between[grid.index(c, r)]) {
+        EXPECT_NEAR(height[grid.index(c, r)], 2 * grid.x(c) - grid.y(r), 1e-3);
+      }
+}
+
+TEST(Gaps, BetweenPointsInALineLiesTheirMean)
+{
+  const CellGrid grid = unitGrid(10, 10);
+  std::vector<unsigned char> between(grid.size(), 0);
+  between[grid.index(5, 5)] = 1;
+  std::vector<double> height(grid.size(), NAN);
+  std::vector<Eigen::Vector3f> points;
+  for (int i = 0; i < 8; ++i)
+    points.emplace_back(2.f + i, 3.f, i % 2 ? 1.f : 3.f);
+  fillBetweenPoints(grid, between, points, height);
+  EXPECT_NEAR(height[grid.index(5, 5)], 2.0, 1e-6);
 }
 
 TEST(Gaps, TheBridgeOverASlopeIsTheSlope)

@@ -21,6 +21,7 @@ namespace {
 
 /// Parts outside this are taken for a slip of units [mm].
 constexpr double kSmallestPart = 1.0, kLargestPart = 3000.0;
+constexpr double kMostStrays = 0.005; // share of the points
 constexpr std::size_t kMostSamples = 6'000'000;
 
 std::string length(double mm)
@@ -108,11 +109,11 @@ void MillJob::readAndAlign(const std::string& scan)
       company.setInputCloud(part_);
       pcl::PointCloud<pcl::PointXYZ>::Ptr kept(new pcl::PointCloud<pcl::PointXYZ>);
       company.filter(*kept);
-      scan_.strays = part_->size() - kept->size();
-      if (kept->size() < 10)
-        throw DataError("the scan is too sparse to be one surface: no point has six "
-                        "others near it (--keep-strays takes it as it is)");
-      if (scan_.strays > 0) { // the datum may have hung on a stray
+      // More than a few are no strays: the scan is like that, and taking real surface
+      // away would let the tool cut there.
+      const std::size_t lonely = part_->size() - kept->size();
+      if (lonely > 0 && lonely <= part_->size() * kMostStrays) {
+        scan_.strays = lonely; // and the datum may have hung on one
         align.setUp(Up::Z);
         to_part = run(kept) * to_part;
       }

@@ -6,7 +6,7 @@ namespace pointmill {
 
 void MillOptions::validate() const
 {
-  const std::string who = "pointmill mill";
+  const std::string who = "mill";
   checkRange(who, "--tolerance", tolerance, "mm", {0.002, 1});
   checkRange(who, "--scallop", scallop, "mm", {0.0005, 1});
   checkRange(who, "--semi-scallop", semi_scallop, "mm", {0.0005, 2});

@@ -94,10 +94,22 @@ findGaps(const CellGrid& grid, const Mask& occupied, double reach)
   return gaps;
 }
 
-std::vector<GapRegion>
-gapRegions(const CellGrid& grid, const Mask& occupied, const Mask& gaps, double reach)
+std::vector<unsigned char>
+wideGaps(const CellGrid& grid, const Mask& occupied, const Mask& gaps, double reach)
 {
-  const auto distance = distanceField(occupied, grid.columns, grid.rows);
+  const auto to_point = distanceField(occupied, grid.columns, grid.rows);
+  Mask core(grid.size());
+  for (std::size_t at = 0; at < grid.size(); ++at)
+    core[at] = gaps[at] && to_point[at] * grid.cell > reach;
+  const auto to_core = distanceField(core, grid.columns, grid.rows);
+  Mask wide(grid.size());
+  for (std::size_t at = 0; at < grid.size(); ++at)
+    wide[at] = gaps[at] && to_core[at] * grid.cell <= reach;
+  return wide;
+}
+
+std::vector<GapRegion> gapRegions(const CellGrid& grid, const Mask& gaps)
+{
   std::vector<GapRegion> regions;
   Mask left = gaps;
   for (int row = 0; row < grid.rows; ++row)
@@ -109,17 +121,14 @@ gapRegions(const CellGrid& grid, const Mask& occupied, const Mask& gaps, double 
       takeRegion(grid, left, true, cells);
       region.min.setConstant(std::numeric_limits<double>::infinity());
       region.max = -region.min;
-      double widest = 0;
       for (const auto at : cells) {
         const Eigen::Vector2d p(grid.x(static_cast<int>(at % grid.columns)),
                                 grid.y(static_cast<int>(at / grid.columns)));
         region.centre += p / static_cast<double>(cells.size());
         region.min = region.min.cwiseMin((p.array() - grid.cell / 2).matrix());
         region.max = region.max.cwiseMax((p.array() + grid.cell / 2).matrix());
-        widest = std::max<double>(widest, distance[at] * grid.cell);
       }
       region.area = static_cast<double>(cells.size()) * grid.cell * grid.cell;
-      region.between_points = widest <= reach;
       regions.push_back(region);
     }
   std::stable_sort(regions.begin(), regions.end(), [](const auto& a, const auto& b) {

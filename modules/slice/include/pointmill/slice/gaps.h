@@ -17,7 +17,6 @@ struct GapRegion {
   Eigen::Vector2d centre = Eigen::Vector2d::Zero(); ///< mm
   Eigen::Vector2d min = Eigen::Vector2d::Zero();    ///< bounding box, mm
   Eigen::Vector2d max = Eigen::Vector2d::Zero();
-  bool between_points = false; ///< no wider than the points' own spacing: no real gap
 };
 
 /// @brief The empty cells inside the outline of the occupied ones. The outline is the
@@ -29,13 +28,23 @@ std::vector<unsigned char> findGaps(const CellGrid& grid,
                                     const std::vector<unsigned char>& occupied,
                                     double reach);
 
-/// @brief The regions that the cells of @p gaps form, largest first. A region counts as
-/// `between_points` when none of its cells is further than @p reach from a point's
-/// cell.
+/// @brief The cells of @p gaps that are real gaps: those about places further than
+/// @p reach mm from any point's cell. The others just lie between points.
+std::vector<unsigned char> wideGaps(const CellGrid& grid,
+                                    const std::vector<unsigned char>& occupied,
+                                    const std::vector<unsigned char>& gaps,
+                                    double reach);
+
+/// @brief The regions that the cells of @p gaps form, largest first.
 std::vector<GapRegion> gapRegions(const CellGrid& grid,
-                                  const std::vector<unsigned char>& occupied,
-                                  const std::vector<unsigned char>& gaps,
-                                  double reach);
+                                  const std::vector<unsigned char>& gaps);
+
+/// @brief Heights for the cells of @p between, which lie between points: the plane
+/// through the nearest eight points in XY, kept between their lowest and highest.
+void fillBetweenPoints(const CellGrid& grid,
+                       const std::vector<unsigned char>& between,
+                       const std::vector<Eigen::Vector3f>& points,
+                       std::vector<double>& height);
 
 /// @brief Spans a membrane over the gaps: fills `height` there with the solution of
 /// Laplace's equation whose border is the height of the adjoining occupied cells. It

@@ -12,60 +12,51 @@ namespace pointmill {
 template <typename PointT>
 void OccupancyMap<PointT>::apply(CellCloud& output)
 {
-  const auto finite = [](const PointT& p) {
-    return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
-  };
-  Eigen::Vector2d low =
-      Eigen::Vector2d::Constant(std::numeric_limits<double>::infinity());
-  Eigen::Vector2d high = -low;
-  std::size_t points = 0;
+  std::vector<Eigen::Vector3f> points;
+  points.reserve(this->indices_->size());
+  Eigen::Vector3d low =
+      Eigen::Vector3d::Constant(std::numeric_limits<double>::infinity());
+  Eigen::Vector3d high = -low;
   for (const auto i : *this->indices_) {
-    const PointT& p = (*this->input_)[i];
-    if (!finite(p))
+    const Eigen::Vector3f p = (*this->input_)[i].getVector3fMap();
+    if (!p.allFinite())
       continue;
-    ++points;
-    low = low.cwiseMin(Eigen::Vector2d(p.x, p.y));
-    high = high.cwiseMax(Eigen::Vector2d(p.x, p.y));
+    points.push_back(p);
+    low = low.cwiseMin(p.cast<double>());
+    high = high.cwiseMax(p.cast<double>());
   }
-  if (points == 0)
+  if (points.empty())
     throw DataError("OccupancyMap: no point of the input is finite");
 
-  const CellGrid grid = CellGrid::covering(low, high, cell_size_);
+  const CellGrid grid = CellGrid::covering(low.head<2>(), high.head<2>(), cell_size_);
   std::vector<double> height(grid.size(), std::numeric_limits<double>::quiet_NaN());
   std::vector<std::uint32_t> count(grid.size(), 0);
-  for (const auto i : *this->indices_) {
-    const PointT& p = (*this->input_)[i];
-    if (!finite(p))
-      continue;
-    const std::size_t at = grid.index(std::min(grid.columnOf(p.x), grid.columns - 1),
-                                      std::min(grid.rowOf(p.y), grid.rows - 1));
-    if (count[at]++ == 0 || p.z > height[at])
-      height[at] = p.z;
+  for (const auto& p : points) {
+    const std::size_t at = grid.index(std::min(grid.columnOf(p.x()), grid.columns - 1),
+                                      std::min(grid.rowOf(p.y()), grid.rows - 1));
+    if (count[at]++ == 0 || p.z() > height[at])
+      height[at] = p.z();
   }
 
   std::vector<unsigned char> occupied(grid.size());
   for (std::size_t at = 0; at < grid.size(); ++at)
     occupied[at] = count[at] > 0;
   auto gap = findGaps(grid, occupied, gap_reach_);
-  auto regions = gapRegions(grid, occupied, gap, gap_reach_);
-  bridgeGaps(grid, gap, height);
-  double highest =
-      *std::max_element(height.begin(), height.end(), [](double a, double b) {
-        return !(a >= b); // NaN counts as lowest
-      });
-
-  // Only a real gap is for the policy to decide; what lies between points is part.
-  if (policy_ != GapPolicy::Bridge) {
-    const auto to_point = distanceField(occupied, grid.columns, grid.rows);
-    for (std::size_t at = 0; at < grid.size(); ++at) {
-      if (!gap[at] || to_point[at] * grid.cell <= gap_reach_)
-        continue;
-      if (policy_ == GapPolicy::Keep)
-        height[at] = highest;
-      else
-        gap[at] = 0, height[at] = std::numeric_limits<double>::quiet_NaN();
+  const auto wide = wideGaps(grid, occupied, gap, gap_reach_);
+  auto between = gap;
+  for (std::size_t at = 0; at < grid.size(); ++at)
+    between[at] = gap[at] && !wide[at];
+  fillBetweenPoints(grid, between, points, height);
+  bridgeGaps(grid, wide, height);
+  // What lies between points is part; only a real gap is for the policy to decide.
+  const double highest = high.z();
+  for (std::size_t at = 0; at < grid.size(); ++at)
+    if (wide[at] && policy_ == GapPolicy::Keep)
+      height[at] = highest;
+    else if (wide[at] && policy_ == GapPolicy::Mill) {
+      gap[at] = 0;
+      height[at] = std::numeric_limits<double>::quiet_NaN();
     }
-  }
 
   output.resize(grid.size());
   output.width = static_cast<std::uint32_t>(grid.columns);
@@ -84,21 +75,19 @@ void OccupancyMap<PointT>::apply(CellCloud& output)
                                  : CellState::Empty);
     }
 
-  gaps_.clear();
+  gaps_ = gapRegions(grid, wide);
   double area = 0;
-  for (const auto& region : regions)
-    if (!region.between_points) {
-      gaps_.push_back(region);
-      area += region.area;
-    }
+  for (const auto& region : gaps_)
+    area += region.area;
   const auto cells = [&](CellState state) {
     return static_cast<double>(
         std::count_if(output.begin(), output.end(), [&](const auto& c) {
           return c.getState() == state;
         }));
   };
-  this->report_.set("points", static_cast<double>(points));
-  this->report_.set("nan_points", static_cast<double>(this->indices_->size() - points));
+  this->report_.set("points", static_cast<double>(points.size()));
+  this->report_.set("nan_points",
+                    static_cast<double>(this->indices_->size() - points.size()));
   this->report_.set("occupied_cells", cells(CellState::Occupied));
   this->report_.set("gap_cells", cells(CellState::Gap));
   this->report_.set("empty_cells", cells(CellState::Empty));
