@@ -7,6 +7,7 @@
 #include <boost/timer/progress_display.hpp>
 
 #include <chrono>
+#include <csignal>
 #include <cstdio>
 #include <filesystem>
 #include <iostream>
@@ -46,6 +47,8 @@ void declareTool(CLI::App& app,
   add("-feed", job.cutting.feed, "MM/MIN", "feed along the path");
   add("-plunge-feed", job.cutting.plunge_feed, "MM/MIN", "fastest feed downwards");
 }
+
+volatile std::sig_atomic_t interrupted = 0;
 
 /// A bar on the terminal for what takes over a second.
 class Bar {
@@ -284,8 +287,14 @@ int runMill(MillCommand& command)
   MillJob job(o);
   Bar bar;
   const bool shown = !command.quiet && isatty(STDERR_FILENO);
-  if (shown)
-    job.setProgress([&](const std::string& stage, double done) { bar(stage, done); });
+  std::signal(SIGINT, [](int) { interrupted = 1; });
+  std::signal(SIGTERM, [](int) { interrupted = 1; });
+  job.setProgress([&](const std::string& stage, double done) {
+    if (interrupted) // between two stages, so that nothing stays half written
+      throw Interrupted();
+    if (shown)
+      bar(stage, done);
+  });
   job.plan(command.scan);
   job.write(command.directory);
   if (shown)

@@ -17,6 +17,15 @@ struct MillCommand {
   bool quiet = false, no_square = false, keep_strays = false, no_coolant = false;
 };
 
+/// @brief Thrown when the user stops the program (Ctrl-C); nothing was written.
+class Interrupted : public std::exception {
+public:
+  const char* what() const noexcept override
+  {
+    return "interrupted, nothing was written";
+  }
+};
+
 /// @brief Declares the command and its options.
 CLI::App* declareMill(CLI::App& app, MillCommand& command);
 

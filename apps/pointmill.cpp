@@ -31,6 +31,10 @@ int main(int argc, char** argv)
     std::cerr << "pointmill: " << e.what() << " (pointmill mill --help)\n";
     return 1;
   }
+  catch (const Interrupted& e) {
+    std::cerr << "pointmill: " << e.what() << '\n';
+    return 130;
+  }
   catch (const pointmill::VerificationError& e) {
     std::cerr << "pointmill: " << e.what() << '\n';
     return 3;
