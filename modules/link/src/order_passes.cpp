@@ -2,6 +2,8 @@
 // Copyright (c) 2026, the PointMill authors
 #include <pointmill/link/order_passes.h>
 
+// Boost 1.74 includes a header of its own that it calls deprecated.
+#define BOOST_ALLOW_DEPRECATED_HEADERS
 #include <boost/geometry.hpp>
 #include <boost/geometry/index/rtree.hpp>
 

@@ -6,9 +6,10 @@
 
 namespace pointmill {
 
-/// @brief Puts passes (`label`) that may be cut in any order and direction, as those of a
-/// finishing raster, into an order with little air between them: from the end of each to
-/// the nearest end of those that are left (nearest neighbour). Passes are renumbered.
+/// @brief Puts passes (`label`) that may be cut in any order and direction, as those of
+/// a finishing raster, into an order with little air between them: from the end of each
+/// to the nearest end of those that are left (nearest neighbour). Passes are
+/// renumbered.
 ///
 /// Report: "air_before_mm" and "air_after_mm", the XY distances between consecutive
 /// passes.

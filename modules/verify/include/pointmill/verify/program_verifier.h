@@ -87,7 +87,11 @@ public:
   void parameters(V&& v)
   {
     v("tolerance", tolerance_, "mm", Range{1e-4, 10}, "deepest gouge that passes");
-    v("residual_limit", residual_limit_, "mm", Range{1e-3, 1e4}, "most median residual");
+    v("residual_limit",
+      residual_limit_,
+      "mm",
+      Range{1e-3, 1e4},
+      "most median residual");
     v("cell_size", cell_, "mm", Range{0.01, 50}, "edge of a stock cell");
   }
 

@@ -1,0 +1,26 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
+# Copyright (c) 2026, the PointMill authors
+#
+# scripts/pictures.sh
+#   Mills the sample, and makes the documents' pictures and README.md's figures from it.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+
+scripts/quickstart.sh
+mkdir -p doc/images
+cp out/sample/preview.png doc/images/sample.png
+cp out/sample/occupancy_2.png doc/images/occupancy.png
+
+# Without the seconds that it took, which differ from run to run.
+figures=$(build/release/bin/pointmill mill data/sample_scan.pcd -o out/sample |
+          sed -E 's/ +[0-9.]+ s$//')
+{
+  sed '/^<!-- sample:/q' README.md
+  echo '```'
+  echo "$figures"
+  echo '```'
+  sed -n '/^<!-- \/sample/,$p' README.md
+} >README.md.new
+cat README.md.new >README.md
+rm README.md.new

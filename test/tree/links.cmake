@@ -1,0 +1,20 @@
+# What the documents link to inside the tree is there.
+cmake_minimum_required(VERSION 3.22)
+
+file(GLOB_RECURSE pages ${ROOT}/doc/*.md ${ROOT}/data/*.md)
+file(GLOB top ${ROOT}/*.md)
+foreach(page ${pages} ${top})
+  file(READ ${page} text)
+  string(REPLACE "](" "@to(" text "${text}") # single brackets would confuse CMake's lists
+  string(REGEX MATCHALL "@to\\([^)#: ]+" links "${text}")
+  get_filename_component(folder ${page} DIRECTORY)
+  foreach(link ${links})
+    string(REPLACE "@to(" "" link "${link}")
+    if(link MATCHES "^https?$")
+      continue()
+    endif()
+    if(NOT EXISTS ${folder}/${link})
+      message(SEND_ERROR "${page} links to ${link}, which does not exist")
+    endif()
+  endforeach()
+endforeach()

@@ -1,0 +1,22 @@
+# README.md's first C++ block is what lies between the marks of examples/roughing.cpp.
+cmake_minimum_required(VERSION 3.22)
+
+function(cut_out file from to result)
+  file(READ ${file} text)
+  string(FIND "${text}" "${from}" begin)
+  if(begin EQUAL -1)
+    message(FATAL_ERROR "${file} has no ${from}")
+  endif()
+  string(LENGTH "${from}" skip)
+  math(EXPR begin "${begin} + ${skip}")
+  string(SUBSTRING "${text}" ${begin} -1 text)
+  string(FIND "${text}" "${to}" end)
+  string(SUBSTRING "${text}" 0 ${end} text)
+  set(${result} "${text}" PARENT_SCOPE)
+endfunction()
+
+cut_out(${ROOT}/README.md "```cpp\n" "```" shown)
+cut_out(${ROOT}/examples/roughing.cpp "// [README]\n" "// [README]" compiled)
+if(NOT shown STREQUAL compiled)
+  message(FATAL_ERROR "README.md shows\n${shown}\nbut what is compiled is\n${compiled}")
+endif()

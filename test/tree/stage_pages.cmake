@@ -1,0 +1,52 @@
+# README.md links every stage to its page. The page lists each of its parameters with the
+# unit and range of the class, as "| `name` | unit | low .. high |".
+cmake_minimum_required(VERSION 3.22)
+
+file(GLOB_RECURSE headers ${ROOT}/modules/*.h)
+file(READ ${ROOT}/README.md readme)
+foreach(header ${headers})
+  file(READ ${header} text)
+  string(REGEX MATCHALL "class [A-Za-z]+ : public (Filter<|Stage<|LevelRoughing)" stages
+         "${text}")
+  foreach(stage ${stages})
+    string(REGEX REPLACE "class ([A-Za-z]+) .*" "[\\1](doc/stages/" row "${stage}")
+    string(FIND "${readme}" "${row}" at)
+    if(at EQUAL -1 AND NOT stage MATCHES "class LevelRoughing") # a base
+      message(SEND_ERROR "README.md has no ${row}")
+    endif()
+  endforeach()
+
+  set(s "[ \n]*")
+  string(REGEX MATCHALL
+    "[^a-z]v\\(${s}\"[a-z_]+\",${s}[a-z_.]+,${s}\"[a-zA-Z/]*\",${s}Range{[^}]*}"
+    parameters "${text}")
+  string(REGEX MATCHALL "[^a-z]v\\(${s}\"" all "${text}")
+  list(LENGTH parameters understood)
+  list(LENGTH all there)
+  if(NOT understood EQUAL there)
+    message(SEND_ERROR "${header}: stage_pages.cmake does not understand a parameter")
+  endif()
+  if(NOT parameters)
+    continue()
+  endif()
+  get_filename_component(name ${header} NAME_WE)
+  string(REPLACE "level_roughing" "zigzag_roughing" name ${name})
+  set(page "")
+  if(EXISTS ${ROOT}/doc/stages/${name}.md)
+    file(READ ${ROOT}/doc/stages/${name}.md page)
+  endif()
+  foreach(parameter ${parameters})
+    string(REGEX MATCH "\"([a-z_]+)\",[^\"]*\"([a-zA-Z/]*)\",${s}Range{([^,]*), *([^}]*)}"
+           found "${parameter}")
+    set(unit "${CMAKE_MATCH_2}")
+    if(unit STREQUAL "")
+      set(unit "-")
+    endif()
+    string(STRIP "${CMAKE_MATCH_4}" high)
+    set(row "| `${CMAKE_MATCH_1}` | ${unit} | ${CMAKE_MATCH_3} .. ${high} |")
+    string(FIND "${page}" "${row}" at)
+    if(at EQUAL -1)
+      message(SEND_ERROR "doc/stages/${name}.md lacks\n  ${row}")
+    endif()
+  endforeach()
+endforeach()
