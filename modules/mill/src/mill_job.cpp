@@ -21,6 +21,7 @@ namespace {
 
 /// Parts outside this are taken for a slip of units [mm].
 constexpr double kSmallestPart = 1.0, kLargestPart = 3000.0;
+constexpr double kMostCells = 1e6;    // of the map, by default
 constexpr double kMostStrays = 0.005; // share of the points
 constexpr std::size_t kMostSamples = 6'000'000;
 
@@ -130,7 +131,13 @@ void MillJob::makeMap()
     const double void_between = std::max(scan_.spacing.median, 1e-3);
     double cell = options_.cell;
     if (cell <= 0)
-      cell = std::clamp(options_.rough.tool.diameter / 20, 0.05, 2.0);
+      cell = options_.rough.tool.diameter / 20;
+    // A very large part gets coarser cells rather than hours.
+    const Eigen::Vector4f size =
+        part_->getMatrixXfMap().rowwise().maxCoeff().head<4>() -
+        part_->getMatrixXfMap().rowwise().minCoeff().head<4>();
+    if (options_.cell <= 0)
+      cell = std::max(cell, std::sqrt(double(size.x()) * size.y() / kMostCells));
     OccupancyMap<pcl::PointXYZ> occupancy;
     occupancy.setCellSize(cell);
     occupancy.setGapReach(std::max(2 * cell, 2.5 * void_between));

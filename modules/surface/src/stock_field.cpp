@@ -65,7 +65,8 @@ double StockField::cut(const Tool& tool,
         double t = len2 > 0 ? ((cx - a.x()) * dx + (cy - a.y()) * dy) / len2
                             : double(b.z() < a.z());
         t = std::clamp(t, 0.0, 1.0);
-        const double d = std::hypot(a.x() + t * dx - cx, a.y() + t * dy - cy) + guard;
+        const double ex = a.x() + t * dx - cx, ey = a.y() + t * dy - cy;
+        const double d = std::sqrt(ex * ex + ey * ey) + guard;
         if (d > r)
           continue;
         h = a.z() + t * (b.z() - a.z()) + tool.profile(d);
