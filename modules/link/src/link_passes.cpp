@@ -66,7 +66,7 @@ private:
     else if (motion == Motion::LeadIn) // down through what was cut before
       return std::min(cutting_.feed, 2 * cutting_.plunge_feed);
     else if (motion == Motion::Ramp)
-      feed = std::max(cutting_.plunge_feed, cutting_.feed / 2);
+      feed = std::min(cutting_.feed, std::max(cutting_.plunge_feed, cutting_.feed / 2));
     const double down = from.z() - to.z();
     if (down > 0) // never down faster than the plunge feed
       feed = std::min(feed, cutting_.plunge_feed * (to - from).norm() / down);
@@ -97,6 +97,14 @@ void LinkPasses::apply(CLCloud& output)
   std::size_t ramps = 0, plunges = 0, links = 0, retracts = 0, passes = 0;
 
   const auto& ids = *indices_;
+  for (const auto i : ids) { // before the stock is cut
+    const Vector3d p = position((*input_)[i]);
+    if (!p.allFinite())
+      throw DataError("LinkPasses: CL point " + std::to_string(i) + " is not finite");
+    if (p.z() > clearance_)
+      throw DataError("LinkPasses: CL point " + std::to_string(i) +
+                      " lies above the clearance plane");
+  }
   std::vector<Vector3d> pass;
   for (std::size_t begin = 0; begin < ids.size();) {
     std::size_t end = begin;
@@ -104,12 +112,6 @@ void LinkPasses::apply(CLCloud& output)
     pass.clear();
     for (; end < ids.size() && (*input_)[ids[end]].label == first.label; ++end) {
       pass.push_back(position((*input_)[ids[end]]));
-      const char* wrong = !pass.back().allFinite() ? " is not finite"
-                          : pass.back().z() > clearance_
-                              ? " lies above the clearance plane"
-                              : nullptr;
-      if (wrong)
-        throw DataError("LinkPasses: CL point " + std::to_string(ids[end]) + wrong);
     }
     const Vector3d start = pass.front();
 

@@ -140,7 +140,7 @@ void MillJob::makeMap()
       cell = std::max(cell, std::sqrt(double(size.x()) * size.y() / kMostCells));
     OccupancyMap<pcl::PointXYZ> occupancy;
     occupancy.setCellSize(cell);
-    occupancy.setGapReach(std::max(2 * cell, 2.5 * void_between));
+    occupancy.setGapReach(std::max(1.5 * cell, 2.5 * void_between));
     occupancy.setGapPolicy(options_.gaps);
     occupancy.setInputCloud(part_);
     map_.reset(new CellCloud);
@@ -197,6 +197,9 @@ void MillJob::planRoughing(const ToolJob& job,
   planned.operation.tool = job.tool;
   planned.operation.cutting = job.cutting;
   planned.allowance = job.allowance;
+  planned.colour = min_thickness <= 0                             ? 0
+                   : job.tool.number == options_.semi.tool.number ? 1
+                                                                  : 3;
 
   ZigZagRoughing zigzag;
   SpiralRoughing spiral;
@@ -287,6 +290,7 @@ void MillJob::planFinishing(const ToolJob& job,
   planned.operation.tool = job.tool;
   planned.operation.cutting = job.cutting;
   planned.allowance = job.allowance;
+  planned.colour = steep_too ? 4 : 2;
   const auto start = std::chrono::steady_clock::now();
 
   CLCloud passes = rasterPasses(job, scallop, options_.raster, 0.0, planned);
@@ -359,6 +363,7 @@ void MillJob::verify()
 void MillJob::plan(const std::string& scan)
 {
   options_.validate();
+  passed_ = false;
   scan_path_ = scan;
   scan_name_ = std::filesystem::path(scan).filename().string();
   operations_.clear();
@@ -386,6 +391,7 @@ void MillJob::plan(const std::string& scan)
   });
   timed("write", 0.65, [&] { writeProgram(); });
   timed("verify", 0.7, [&] { verify(); });
+  passed_ = true;
 }
 
 } // namespace pointmill

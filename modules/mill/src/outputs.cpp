@@ -87,7 +87,8 @@ PreviewScene sceneOf(const MillJob& job, const std::string& title)
     scene.operations.push_back({std::to_string(++number) + "  " +
                                     planned.operation.name + ", T" +
                                     std::to_string(planned.operation.tool.number),
-                                &planned.operation.path});
+                                &planned.operation.path,
+                                planned.colour});
   const Verification& v = job.verification();
   double gap_area = 0;
   for (const auto& gap : job.gaps())
@@ -121,6 +122,8 @@ void MillJob::checkDirectory(const std::string& scan, const std::string& directo
 
 void MillJob::write(const std::string& directory)
 {
+  if (!passed_)
+    throw VerificationError("there is no program that passed its verification");
   checkDirectory(scan_path_, directory);
   Staging staging(directory);
   const auto in = [&](const std::string& name) {

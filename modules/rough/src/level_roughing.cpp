@@ -75,6 +75,20 @@ struct Pass {
   std::size_t level;
 };
 
+/// Calls visit(node) for every node on a chain of corners.
+template <typename Visit>
+void forNodes(const Chain& corners, Visit&& visit)
+{
+  const auto sign = [](int v) { return (v > 0) - (v < 0); };
+  Node at = corners.front();
+  visit(at);
+  for (const Node to : corners)
+    while (at != to) {
+      at = at + Node{sign(to.column - at.column), sign(to.row - at.row)};
+      visit(at);
+    }
+}
+
 int stepsBetween(Node a, Node b)
 {
   return std::abs(a.column - b.column) + std::abs(a.row - b.row);
@@ -86,9 +100,24 @@ std::vector<std::size_t>
 byRegion(const LevelMap& map, double floor, const std::vector<Pass>& passes)
 {
   const auto regions = map.regions(floor);
-  const auto region = [&](std::size_t i) {
-    const Node n = passes[i].chain.front();
+  const auto regionAt = [&](Node n) {
     return regions[map.grid().index(n.column, n.row)];
+  };
+  // A pass that crosses from one region into another makes them one.
+  std::vector<int> joined(*std::max_element(regions.begin(), regions.end()) + 1);
+  std::iota(joined.begin(), joined.end(), 0);
+  const auto find = [&](int r) {
+    while (joined[r] != r)
+      r = joined[r] = joined[joined[r]];
+    return r;
+  };
+  for (const auto& pass : passes)
+    forNodes(pass.chain, [&](Node n) {
+      const int a = find(regionAt(pass.chain.front())), b = find(regionAt(n));
+      joined[std::max(a, b)] = std::min(a, b);
+    });
+  const auto region = [&](std::size_t i) {
+    return find(regionAt(passes[i].chain.front()));
   };
   std::vector<std::size_t> order(passes.size());
   std::iota(order.begin(), order.end(), 0);
@@ -131,12 +160,18 @@ void LevelRoughing::apply(CLCloud& output)
     stock = std::make_shared<StockField>(Stock{{cells.x0, cells.y0, bottom - 1.0},
                                                {cells.x0 + cells.columns * cells.cell,
                                                 cells.y0 + cells.rows * cells.cell,
-                                                top + 1e-3}},
+                                                top}},
                                          cells.cell,
                                          StockField::Bound::Upper);
 
+  const double floor = std::isnan(floor_) ? bottom : floor_;
+  const double depth = stock->stock().top() - floor;
+  if (depth >= 0 && depth < 1e-3) { // a flat plate: there is nothing to rough
+    report_.set("levels", 0);
+    return;
+  }
   ZSlices slices;
-  slices.setZLimits(std::isnan(floor_) ? bottom : floor_, stock->stock().top());
+  slices.setZLimits(floor, stock->stock().top());
   slices.setPitch(step_down_ > 0 ? step_down_
                                  : ZSlices::pitchForDiameter(tool_.diameter));
   const auto levels = slices.levels();

@@ -47,6 +47,10 @@ Chain follow(const LevelMap& map, double z, const Chain& ring, std::size_t& from
       ++wall;
     BorderWalker walker{map, z, here, wall};
     Chain detour;
+    // Back on the ring counts only where it goes on next: nothing of it is left out.
+    std::size_t next = from;
+    while (next < ring.size() && !map.isFree(ring[next], z))
+      ++next;
     const std::size_t longest = map.grid().size();
     bool back_on = false;
     do {
@@ -54,7 +58,7 @@ Chain follow(const LevelMap& map, double z, const Chain& ring, std::size_t& from
       if (detour.empty() || detour.back() != walker.at)
         detour.push_back(walker.at);
       const auto on = place.find(map.grid().index(walker.at.column, walker.at.row));
-      if (on != place.end() && on->second > from) {
+      if (on != place.end() && on->second == next) {
         from = on->second + 1;
         back_on = true;
       }
@@ -126,12 +130,17 @@ std::vector<Chain> SpiralRoughing::clearLevel(const LevelMap& map, double z) con
   const int step = stride(map);
   std::vector<Chain> pieces;
   Node low{0, 0}, high{map.grid().columns - 1, map.grid().rows - 1};
-  while (low.column <= high.column && low.row <= high.row) {
+  for (;;) {
     const Chain ring = rectangle(low, high);
     for (std::size_t from = 0; from < ring.size();)
       keepNeeded(map, z, follow(map, z, ring, from), step, pieces);
-    low = low + Node{step, step};
-    high = high + Node{-step, -step};
+    // Two sides no further apart than a step leave nothing between them.
+    const int wide = high.column - low.column, deep = high.row - low.row;
+    if (std::min(wide, deep) <= step)
+      break;
+    const Node in{std::min(step, wide / 2), std::min(step, deep / 2)};
+    low = low + in;
+    high = high + Node{-in.column, -in.row};
   }
   std::vector<Chain> chains;
   for (auto& piece : pieces)

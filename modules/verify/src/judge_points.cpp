@@ -162,12 +162,10 @@ void judgePoints(const PointIndex& part,
   std::vector<float> left, off;
   for (std::size_t q = 0; q < part.size(); ++q) {
     result.unreachable_points += !reachable[q];
-    if (!std::isfinite(height[q])) {
-      ++result.untouched_points;
-      continue;
-    }
-    left.push_back(residual[q]);
-    if (reachable[q])
+    const bool touched = std::isfinite(height[q]);
+    result.untouched_points += !touched;
+    left.push_back(residual[q]); // infinite where no tool comes by
+    if (touched && reachable[q])
       off.push_back(deviation[q]);
   }
   result.points = part.size();

@@ -66,8 +66,11 @@ std::vector<SweptMove> collectMoves(const Program& program,
     if (!m.from.allFinite() || !m.to.allFinite()) {
       // Where the machine stands is not known: only Z may move, and above the stock.
       const bool high = !(m.from.z() < stock.top()) && !(m.to.z() < stock.top());
-      const bool sideways = !(m.from.head<2>() == m.to.head<2>()) &&
-                            m.to.head<2>().allFinite() && m.from.head<2>().allFinite();
+      const auto stays = [&](int axis) {
+        return m.from[axis] == m.to[axis] ||
+               (std::isnan(m.from[axis]) && std::isnan(m.to[axis]));
+      };
+      const bool sideways = !stays(0) || !stays(1);
       if (!m.rapid || !high || (sideways && std::isnan(m.from.z())))
         find("unknown_position",
              "move from or to an unknown position that is not safely above the stock",

@@ -6,6 +6,7 @@
 #include <pointmill/common/parameters.h>
 
 #include <cstdio>
+#include <set>
 
 namespace pointmill {
 namespace {
@@ -24,8 +25,13 @@ Verification ProgramVerifier::verify(const Program& program) const
   validateParameters(*this, "ProgramVerifier");
   if (!part_)
     throw DataError("ProgramVerifier: the part's points were not given (setPart)");
-  for (const auto& tool : tools_)
+  std::set<int> numbers;
+  for (const auto& tool : tools_) {
     tool.validate();
+    if (!numbers.insert(tool.number).second)
+      throw ParameterError("ProgramVerifier: two tools have the number " +
+                           std::to_string(tool.number));
+  }
 
   Verification result;
   const auto moves = collectMoves(program, tools_, stock_, result);

@@ -16,6 +16,13 @@ namespace {
 constexpr std::uint8_t kRapidStyle = kOperationCount + 1;
 constexpr std::uint8_t kStockStyle = kOperationCount + 2;
 
+/// Which colour of the palette an operation has.
+int colourOf(const PreviewScene& scene, std::size_t i)
+{
+  const int own = scene.operations[i].colour;
+  return (own >= 0 ? own : static_cast<int>(i)) % kOperationCount;
+}
+
 bool isAir(const PointCL& p)
 {
   return p.getMotion() == Motion::Rapid || p.getMotion() == Motion::Retract;
@@ -156,7 +163,7 @@ Raster pathPanel(const View& view)
   for (std::size_t i = 0; i < operations.size(); ++i) {
     if (!operations[i].path)
       continue;
-    const auto style = static_cast<std::uint8_t>(i % kOperationCount + 1);
+    const auto style = static_cast<std::uint8_t>(colourOf(view.scene, i) + 1);
     layer.clear();
     drawPath(layer, view, *operations[i].path, style, false);
     const float share = std::max(layer.coverage(style), 1e-3f);
@@ -215,7 +222,7 @@ Legend pathLegend(const View& view)
   Legend legend;
   for (std::size_t i = 0; i < view.scene.operations.size(); ++i)
     legend.push_back({LegendItem::Mark::Line,
-                      kOperations[i % kOperationCount],
+                      kOperations[colourOf(view.scene, i)],
                       view.scene.operations[i].label});
   if (view.has_rapids)
     // First where not all fit, as it explains every operation.

@@ -24,6 +24,7 @@ struct PlannedOperation {
   Report report;
   PathFigures figures;
   double seconds = 0; ///< to compute
+  int colour = 0;     ///< in pictures, the same for the same kind of operation
 };
 
 /// @brief The scan as it was taken up.
@@ -55,7 +56,7 @@ public:
   /// @brief Writes program.ngc, part.pcd, cl.pcd, preview.png, occupancy_*.png and
   /// report.json. The directory is made if need be; each file is written beside and
   /// renamed, the program last.
-  /// @throws DataError
+  /// @throws DataError, VerificationError where no program has passed
   void write(const std::string& directory);
 
   /// @brief Refuses (DataError) a directory that would overwrite the scan or is a file.
@@ -115,6 +116,7 @@ private:
   std::vector<PlannedOperation> operations_;
   std::string program_;
   Verification verification_;
+  bool passed_ = false;
   std::vector<std::pair<std::string, double>> seconds_;
 };
 

@@ -14,6 +14,7 @@ namespace pointmill {
 struct PreviewOperation {
   std::string label; ///< as its legend shows it, "1  roughing, T1 flat 10 mm"
   const CLCloud* path = nullptr;
+  int colour = -1; ///< which of the palette's colours; -1: its place in the list
 };
 
 /// @brief What a preview shows, in the part frame [mm], Z up. Null members leave their

@@ -1,0 +1,116 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# Copyright (c) 2026, the PointMill authors
+# Exit codes and messages of the program: 0 good, 1 usage, 2 bad input, 3 refused.
+cmake_minimum_required(VERSION 3.22)
+
+file(REMOVE_RECURSE ${WORK})
+file(MAKE_DIRECTORY ${WORK})
+
+# run(CODE WORDS ARGUMENTS ...): exits with CODE; an error is one line on stderr that
+# begins with the program's name and holds WORDS; nothing is left behind.
+function(run code words)
+  execute_process(
+    COMMAND ${PROGRAM} ${ARGN}
+    WORKING_DIRECTORY ${WORK}
+    RESULT_VARIABLE status
+    OUTPUT_VARIABLE output
+    ERROR_VARIABLE error)
+  string(JOIN " " call ${ARGN})
+  set(seen "pointmill ${call}\n  exit code ${status}\n  stdout: ${output}\n  stderr: ${error}")
+  if(NOT status STREQUAL code)
+    message(SEND_ERROR "exit code ${code} was expected of ${seen}")
+  endif()
+  if(code GREATER 1)
+    if(NOT error MATCHES "^pointmill: [^\n]+\n$")
+      message(SEND_ERROR "one line on stderr was expected of ${seen}")
+    endif()
+    if(NOT output STREQUAL "")
+      message(SEND_ERROR "nothing on stdout was expected of ${seen}")
+    endif()
+    if(EXISTS ${WORK}/out)
+      message(SEND_ERROR "no directory was expected of ${seen}")
+    endif()
+  endif()
+  if(code EQUAL 0)
+    set(text "${output}")
+    if(NOT error STREQUAL "")
+      message(SEND_ERROR "nothing on stderr was expected of ${seen}")
+    endif()
+  else()
+    set(text "${error}")
+  endif()
+  if(NOT words STREQUAL "" AND NOT text MATCHES "${words}")
+    message(SEND_ERROR "\"${words}\" was expected of ${seen}")
+  endif()
+  file(GLOB rest ${WORK}/.*partial* ${WORK}/*partial*)
+  if(rest)
+    message(SEND_ERROR "${rest} stays after ${seen}")
+  endif()
+endfunction()
+
+run(0 "^pointmill [0-9]+\\.[0-9]+\\.[0-9]+\n$" --version)
+run(0 "mill" --help)
+run(0 "--tolerance" mill --help)
+
+# 1: usage
+run(1 "" )
+run(1 "" mill)
+run(1 "" grind ${DATA}/dome.pcd)
+run(1 "--no-such-option" mill ${DATA}/dome.pcd --no-such-option)
+run(1 "--tolerance" mill ${DATA}/dome.pcd -o out --tolerance wide)
+run(1 "--tolerance" mill ${DATA}/dome.pcd -o out --tolerance 5)
+run(1 "--tolerance" mill ${DATA}/dome.pcd -o out --tolerance nan)
+run(1 "--units" mill ${DATA}/dome.pcd -o out --units furlong)
+run(1 "" mill ${DATA}/dome.pcd -o out --rough-diameter -3)
+if(EXISTS ${WORK}/out)
+  message(SEND_ERROR "a directory was made though the options are wrong")
+endif()
+
+# 2: bad input
+run(2 "missing.pcd" mill missing.pcd -o out)
+file(WRITE ${WORK}/garbage.pcd "this is no point cloud\n")
+run(2 "garbage.pcd" mill garbage.pcd -o out)
+file(WRITE ${WORK}/garbage.stl "nor is this\n")
+run(2 "garbage.stl" mill garbage.stl -o out)
+file(WRITE ${WORK}/scan.docx "x")
+run(2 "scan.docx" mill scan.docx -o out)
+file(WRITE ${WORK}/empty.pcd "")
+run(2 "empty.pcd" mill empty.pcd -o out)
+file(MAKE_DIRECTORY ${WORK}/folder.pcd)
+run(2 "folder.pcd" mill folder.pcd -o out)
+find_program(HEAD head REQUIRED)
+foreach(bytes 100 50000 150000)
+  execute_process(
+    COMMAND ${HEAD} -c ${bytes} ${DATA}/dome.pcd OUTPUT_FILE ${WORK}/cut.pcd)
+  run(2 "cut.pcd" mill cut.pcd -o out)
+endforeach()
+run(2 "60 m.*--units" mill ${DATA}/dome.pcd -o out --units m)
+run(2 "is a file" mill ${DATA}/dome.pcd -o garbage.pcd)
+file(COPY ${DATA}/dome.pcd DESTINATION ${WORK}/here)
+file(RENAME ${WORK}/here/dome.pcd ${WORK}/here/part.pcd)
+run(2 "overwritten" mill here/part.pcd -o here)
+file(GLOB here RELATIVE ${WORK}/here ${WORK}/here/*)
+if(NOT here STREQUAL "part.pcd")
+  message(SEND_ERROR "beside the scan there is now ${here}")
+endif()
+
+# 3: refused: the finishing leaves more than may be left
+run(3 "verification" mill ${DATA}/dome.pcd -o out --finish-allowance 0.3
+    --residual-limit 0.05)
+
+# 0: good, with a directory that is there already, and by its default name
+file(MAKE_DIRECTORY ${WORK}/good)
+file(WRITE ${WORK}/good/notes.txt "mine")
+run(0 "verified" mill ${DATA}/dome.pcd -o good)
+foreach(name program.ngc part.pcd cl.pcd preview.png report.json notes.txt)
+  if(NOT EXISTS ${WORK}/good/${name})
+    message(SEND_ERROR "good/${name} is missing")
+  endif()
+endforeach()
+run(0 "^$" mill ${DATA}/dome.pcd --quiet)
+file(SHA256 ${WORK}/good/program.ngc first)
+file(SHA256 ${WORK}/dome_nc/program.ngc second)
+if(NOT first STREQUAL second)
+  message(SEND_ERROR "two runs gave two programs")
+endif()
+file(REMOVE_RECURSE ${WORK})

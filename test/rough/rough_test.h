@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the PointMill authors
+#pragma once
+
+#include <pointmill/common/error.h>
+#include <pointmill/rough/level_roughing.h>
+#include <pointmill/slice/occupancy_map.h>
+#include <pointmill_test/clouds.h>
+
+#include <gtest/gtest.h>
+
+namespace rough_test {
+
+using namespace pointmill;
+using namespace pointmill_test;
+
+inline CellCloud::Ptr
+mapOf(const Cloud::Ptr& cloud, double cell, GapPolicy policy = GapPolicy::Bridge)
+{
+  OccupancyMap<pcl::PointXYZ> occupancy;
+  occupancy.setCellSize(cell);
+  occupancy.setGapReach(2 * cell);
+  occupancy.setGapPolicy(policy);
+  occupancy.setInputCloud(cloud);
+  CellCloud::Ptr map(new CellCloud);
+  occupancy.filter(*map);
+  return map;
+}
+
+inline std::shared_ptr<StockField>
+block(const Rectangle& area, double bottom, double top, double cell = 0.25)
+{
+  return std::make_shared<StockField>(
+      Stock{{area.x0, area.y0, bottom}, {area.x1, area.y1, top}},
+      cell,
+      StockField::Bound::Upper);
+}
+
+/// What stands of the stock after the passes, exact at the centres of the cells.
+inline StockField
+simulate(const CLCloud& passes, const Tool& tool, const Stock& stock, double cell)
+{
+  StockField field(stock, cell, StockField::Bound::Nominal);
+  forMovesOfPasses(passes, [&](const auto& a, const auto& b, const PointCL&) {
+    field.cut(tool, a, b);
+  });
+  return field;
+}
+
+/// Distance from @p p to the surface of a tool that moves level from @p a to @p b;
+/// negative inside. Measured to the core that the corner radius rolls round.
+inline double distanceToSweep(const Tool& tool,
+                              const Eigen::Vector3d& a,
+                              const Eigen::Vector3d& b,
+                              const Eigen::Vector3d& p)
+{
+  const Eigen::Vector2d along = (b - a).head<2>(), to = (p - a).head<2>();
+  const double len2 = along.squaredNorm();
+  const double t = len2 > 0 ? std::min(1.0, std::max(0.0, to.dot(along) / len2)) : 0.0;
+  const double side = (to - t * along).norm() - (tool.radius() - tool.corner_radius);
+  const double below = a.z() + tool.corner_radius - p.z();
+  const double core =
+      side > 0 && below > 0 ? std::hypot(side, below) : std::max(side, below);
+  return core - tool.corner_radius;
+}
+
+/// The least of it over all moves of the passes and all points.
+inline double
+clearance(const CLCloud& passes, const Tool& tool, const brute::Points& points)
+{
+  double least = std::numeric_limits<double>::infinity();
+  forMovesOfPasses(passes, [&](const auto& a, const auto& b, const PointCL&) {
+    EXPECT_EQ(a.z(), b.z()) << "a pass of roughing leaves its level";
+    for (const auto& p : points)
+      if (p.z() > a.z() - 5)
+        least = std::min(least, distanceToSweep(tool, a, b, p));
+  });
+  return least;
+}
+
+/// Calls visit(x, y, height) for every cell of the field.
+template <typename Visit>
+void forCells(const StockField& field, Visit&& visit)
+{
+  for (int row = 0; row < field.rows(); ++row)
+    for (int column = 0; column < field.columns(); ++column)
+      visit(field.x(column), field.y(row), field.height(column, row));
+}
+
+inline double volumeRemoved(const StockField& field)
+{
+  double volume = 0;
+  forCells(field, [&](double, double, double h) {
+    volume += (field.stock().top() - h) * field.cellSize() * field.cellSize();
+  });
+  return volume;
+}
+
+/// Fixture of what both strategies must do.
+template <typename Strategy>
+class EveryRoughing : public ::testing::Test {
+protected:
+  Strategy roughing;
+
+  void set(const Tool& tool, double allowance, double step_down, double step_over)
+  {
+    roughing.setTool(tool);
+    roughing.setAllowance(allowance);
+    roughing.setStepDown(step_down);
+    roughing.setStepOver(step_over);
+  }
+  CLCloud run(const CellCloud::ConstPtr& map)
+  {
+    CLCloud passes;
+    roughing.setInputCloud(map);
+    roughing.filter(passes);
+    return passes;
+  }
+};
+
+using Strategies = ::testing::Types<ZigZagRoughing, SpiralRoughing>;
+
+struct StrategyNames {
+  template <typename T>
+  static std::string GetName(int)
+  {
+    return std::is_same<T, ZigZagRoughing>::value ? "ZigZag" : "Spiral";
+  }
+};
+
+} // namespace rough_test
