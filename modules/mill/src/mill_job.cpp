@@ -216,7 +216,7 @@ void MillJob::planRoughing(const ToolJob& job,
   roughing.setStock(standing_);
   roughing.setPart(surface_);
   roughing.setRestLimits(min_thickness,
-                         min_thickness > 0 ? 0.8 * job.tool.diameter : 0.0);
+                         min_thickness > 0 ? 0.6 * job.tool.diameter : 0.0);
   roughing.setNumberOfThreads(options_.threads);
   roughing.setInputCloud(map_);
   CLCloud passes;
