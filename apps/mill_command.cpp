@@ -3,12 +3,12 @@
 #include "mill_command.h"
 
 #include <pointmill/mill/mill_job.h>
+#include <pointmill/mill/summary.h>
 
 #include <boost/timer/progress_display.hpp>
 
 #include <chrono>
 #include <csignal>
-#include <cstdio>
 #include <filesystem>
 #include <iostream>
 #include <map>
@@ -69,51 +69,6 @@ private:
   std::unique_ptr<boost::timer::progress_display> bar_;
 };
 
-void printSummary(const MillJob& job, const std::string& directory)
-{
-  const Verification& v = job.verification();
-  double gaps = 0;
-  for (const auto& gap : job.gaps())
-    gaps += gap.area;
-  const Eigen::Vector3d size = job.partSize();
-  std::printf("part       %.2f x %.2f x %.2f mm, %zu points (%zu strays removed)\n",
-              size.x(),
-              size.y(),
-              size.z(),
-              job.part().size(),
-              job.scanFigures().strays);
-  for (const auto& o : job.operations())
-    std::printf(
-        "%-20s %-16s %8zu CL points %9.0f mm cut %8.0f mm rapid %7.1f min %6.2f s\n",
-        o.operation.name.c_str(),
-        o.operation.tool.describe().c_str(),
-        o.figures.cl_points,
-        o.figures.cutting_length,
-        o.figures.rapid_length,
-        o.figures.minutes,
-        o.seconds);
-  std::printf("verified   gouge %.4f mm, residual p50 %.4f p95 %.4f max %.3f mm, "
-              "%zu rapids in stock\n",
-              v.gouge,
-              v.residual.p50,
-              v.residual.p95,
-              v.residual.max,
-              v.rapids_in_stock);
-  std::printf(
-      "not cut    %.1f %% of the points out of reach; %zu gaps of the scan, %.1f mm2, "
-      "protected\n",
-      100.0 * double(v.unreachable_points) / double(v.points),
-      job.gaps().size(),
-      gaps);
-  std::printf("time       %.0f minutes of milling\n", job.minutes());
-  for (const char* name : {"program.ngc", "preview.png", "report.json"})
-    std::printf("%-10s %s\n",
-                name == std::string("program.ngc")   ? "program"
-                : name == std::string("preview.png") ? "picture"
-                                                     : "report",
-                (std::filesystem::path(directory) / name).c_str());
-}
-
 } // namespace
 
 CLI::App* declareMill(CLI::App& app, MillCommand& command)
@@ -131,15 +86,16 @@ CLI::App* declareMill(CLI::App& app, MillCommand& command)
 
   const std::map<std::string, double> units{
       {"mm", 1}, {"cm", 10}, {"m", 1000}, {"inch", 25.4}};
-  mill->add_option("--units", o.mm_per_unit, "the scan's units")
-      ->transform(CLI::Transformer(units))
-      ->type_name("mm|cm|m|inch")
-      ->default_str("mm")
-      ->check(CLI::Number)
-      ->group("Scan");
+  CLI::Option* units_option =
+      mill->add_option("--units", o.mm_per_unit, "the scan's units")
+          ->transform(CLI::CheckedTransformer(units))
+          ->type_name("mm|cm|m|inch")
+          ->default_str("mm")
+          ->group("Scan");
   mill->add_option(
-          "--scale", command.scale, "mm per unit of the scan, instead of --units")
+          "--scale", o.mm_per_unit, "mm per unit of the scan, instead of --units")
       ->type_name("S")
+      ->excludes(units_option)
       ->group("Scan");
   mill->add_option("--fit", o.fit, "scale so that the largest extent is this")
       ->type_name("MM")
@@ -154,7 +110,7 @@ CLI::App* declareMill(CLI::App& app, MillCommand& command)
                                       {"pca", Up::Pca}};
   mill->add_option(
           "--up", o.up, "direction of the scan that the tool comes from (--up=-z)")
-      ->transform(CLI::Transformer(ups))
+      ->transform(CLI::CheckedTransformer(ups))
       ->type_name("x|-x|y|-y|z|-z|plane|pca")
       ->default_str("z")
       ->group("Scan");
@@ -163,14 +119,14 @@ CLI::App* declareMill(CLI::App& app, MillCommand& command)
   const std::map<std::string, DatumXY> corners{{"corner", DatumXY::Corner},
                                                {"centre", DatumXY::Centre}};
   mill->add_option("--datum", o.datum_xy, "X0 Y0 of the part's bounding box")
-      ->transform(CLI::Transformer(corners))
+      ->transform(CLI::CheckedTransformer(corners))
       ->type_name("corner|centre")
       ->default_str("corner")
       ->group("Scan");
   const std::map<std::string, DatumZ> tops{{"top", DatumZ::Top},
                                            {"bottom", DatumZ::Bottom}};
   mill->add_option("--datum-z", o.datum_z, "Z0 of the part's bounding box")
-      ->transform(CLI::Transformer(tops))
+      ->transform(CLI::CheckedTransformer(tops))
       ->type_name("top|bottom")
       ->default_str("top")
       ->group("Scan");
@@ -184,7 +140,7 @@ CLI::App* declareMill(CLI::App& app, MillCommand& command)
                    o.gaps,
                    "holes of the scan: bridged from their rim and not cut below, "
                    "left standing, or milled like the outside")
-      ->transform(CLI::Transformer(policies))
+      ->transform(CLI::CheckedTransformer(policies))
       ->type_name("bridge|keep|mill")
       ->default_str("bridge")
       ->group("Scan");
@@ -239,12 +195,21 @@ CLI::App* declareMill(CLI::App& app, MillCommand& command)
       "stock beyond the part on each side",
       "Machine and stock");
   add("--stock-top", o.stock_top, "MM", "stock above the part", "Machine and stock");
+  add("--stock-bottom",
+      o.stock_bottom,
+      "MM",
+      "stock below the part",
+      "Machine and stock");
+  mill->add_option("--floor", o.floor, "no tip goes below this Z of the part frame")
+      ->type_name("MM")
+      ->default_str("the part's lowest point")
+      ->group("Machine and stock");
   mill->add_flag("--no-coolant", command.no_coolant, "no M8")
       ->group("Machine and stock");
   const std::map<std::string, RoughingStrategy> strategies{
       {"zigzag", RoughingStrategy::ZigZag}, {"spiral", RoughingStrategy::Spiral}};
   mill->add_option("--roughing", o.roughing, "how the roughing goes over a level")
-      ->transform(CLI::Transformer(strategies))
+      ->transform(CLI::CheckedTransformer(strategies))
       ->type_name("zigzag|spiral")
       ->default_str("zigzag")
       ->group("Operations");
@@ -253,7 +218,7 @@ CLI::App* declareMill(CLI::App& app, MillCommand& command)
   const std::map<std::string, RasterDirection> rasters{{"x", RasterDirection::AlongX},
                                                        {"y", RasterDirection::AlongY}};
   mill->add_option("--raster", o.raster, "the finishing lines run along")
-      ->transform(CLI::Transformer(rasters))
+      ->transform(CLI::CheckedTransformer(rasters))
       ->type_name("x|y")
       ->default_str("x")
       ->group("Operations");
@@ -274,8 +239,6 @@ CLI::App* declareMill(CLI::App& app, MillCommand& command)
 int runMill(MillCommand& command)
 {
   MillOptions& o = command.options;
-  if (command.scale != 0)
-    o.mm_per_unit = command.scale;
   o.square = !command.no_square;
   o.remove_strays = !command.keep_strays;
   for (auto* job : {&o.rough, &o.semi, &o.finish})
@@ -287,8 +250,12 @@ int runMill(MillCommand& command)
   MillJob job(o);
   Bar bar;
   const bool shown = !command.quiet && isatty(STDERR_FILENO);
-  std::signal(SIGINT, [](int) { interrupted = 1; });
-  std::signal(SIGTERM, [](int) { interrupted = 1; });
+  const auto stop = [](int signal) {
+    interrupted = 1;
+    std::signal(signal, SIG_DFL); // the second one stops at once
+  };
+  std::signal(SIGINT, stop);
+  std::signal(SIGTERM, stop);
   job.setProgress([&](const std::string& stage, double done) {
     if (interrupted) // between two stages, so that nothing stays half written
       throw Interrupted();
@@ -300,6 +267,6 @@ int runMill(MillCommand& command)
   if (shown)
     bar.finish();
   if (!command.quiet)
-    printSummary(job, command.directory);
+    std::cout << summaryOf(job, command.directory);
   return 0;
 }

@@ -13,7 +13,6 @@
 struct MillCommand {
   pointmill::MillOptions options;
   std::string scan, directory;
-  double scale = 0;
   bool quiet = false, no_square = false, keep_strays = false, no_coolant = false;
 };
 

@@ -137,6 +137,7 @@ TEST_F(Linking, APassTooShortForARampIsPlungedInto)
 {
   CLCloud passes;
   addPass(passes, 0, {{12, 9, -2}});
+  linker.setTool(Tool::ball(2, 5)); // cuts at its centre
   const auto path = link(linker, passes);
   expectSound(path, 8, cutting, 5);
   EXPECT_EQ(linker.getReport().get("plunges"), 1);
@@ -148,6 +149,34 @@ TEST_F(Linking, APassTooShortForARampIsPlungedInto)
       EXPECT_FLOAT_EQ(p.feed, 200);
     }
   EXPECT_TRUE(plunged);
+}
+
+TEST_F(Linking, AFlatEndMillIsNotPlungedIntoMaterial)
+{
+  CLCloud passes;
+  addPass(passes, 0, {{12, 9, -2}});
+  addPass(passes, 1, {{5, 9, -2}, {25, 9, -2}});
+  const auto path = link(linker, passes);
+  expectSound(path, 8, cutting, 5);
+  EXPECT_EQ(linker.getReport().get("skipped"), 1);
+  EXPECT_EQ(linker.getReport().get("passes"), 1);
+  EXPECT_EQ(linker.getReport().get("plunges"), 0);
+}
+
+TEST_F(Linking, AHeavyCutIsSlowedInProportion)
+{
+  // A slot of 5 x 4 mm is 20 mm2; full feed is for a tenth of 5 x 5.
+  CLCloud passes;
+  addPass(passes, 0, {{-6, 9, -4}, {36, 9, -4}});
+  const auto path = link(linker, passes);
+  bool cut = false;
+  for (const auto& p : path)
+    if (p.getMotion() == Motion::Cut) {
+      cut = true;
+      EXPECT_LT(p.feed, 900 * 0.35);
+      EXPECT_GE(p.feed, 900 * 0.1f);
+    }
+  EXPECT_TRUE(cut);
 }
 
 TEST_F(Linking, OutsideTheStockGoesStraightDown)
@@ -212,6 +241,7 @@ TEST_F(Linking, DescendingCutsAreSlowedToThePlungeFeed)
 {
   CLCloud passes;
   addPass(passes, 0, {{-4, 9, 4}, {6, 9, -6}, {16, 9, -6}, {26, 9, 4}});
+  linker.setStock(nullptr); // in the air: nothing but the slope decides
   const auto path = link(linker, passes);
   bool down = false, level = false, up = false;
   for (std::size_t i = 1; i < path.size(); ++i) {

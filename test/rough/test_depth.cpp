@@ -16,7 +16,7 @@ protected:
     StockField field = stock;
     double deepest = 0;
     forMovesOfPasses(passes, [&](const auto& a, const auto& b, const PointCL&) {
-      deepest = std::max(deepest, field.cut(this->roughing.getTool(), a, b));
+      deepest = std::max(deepest, field.cut(this->roughing.getTool(), a, b).depth);
     });
     return deepest;
   }

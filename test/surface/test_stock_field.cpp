@@ -9,6 +9,7 @@
 #include <random>
 
 using Eigen::Vector3d;
+using pointmill::Cut;
 using pointmill::Stock;
 using pointmill::StockField;
 using pointmill::Tool;
@@ -21,7 +22,7 @@ TEST(StockField, AFlatLeavesASlot)
 {
   StockField field(kBox, 0.1, StockField::Bound::Nominal);
   const double deepest =
-      field.cut(Tool::flat(1, 4), Vector3d(-5, 5, -1), Vector3d(25, 5, -1));
+      field.cut(Tool::flat(1, 4), Vector3d(-5, 5, -1), Vector3d(25, 5, -1)).depth;
   EXPECT_NEAR(deepest, 1.0, 1e-6);
   for (int row = 0; row < field.rows(); ++row)
     EXPECT_NEAR(field.height(100, row), std::abs(field.y(row) - 5) <= 2 ? -1 : 0, 1e-6);
@@ -66,7 +67,21 @@ TEST(StockField, TheUpperBoundIsOne)
     EXPECT_GE(upper.height(int(x / 0.5), int(y / 0.5)), truth - 0.2) << x << " " << y;
     EXPECT_GE(upper.highest(x, y, 0.0), truth - 0.2);
   }
-  EXPECT_LT(upper.height(20, 10), 0.5);
+  double lowest = 0;
+  for (int row = 0; row < upper.rows(); ++row)
+    for (int column = 0; column < upper.columns(); ++column)
+      lowest = std::min(lowest, upper.height(column, row));
+  EXPECT_LT(lowest, -1.0); // and it did cut
+}
+
+TEST(StockField, ReportsTheVolumeTaken)
+{
+  StockField field(kBox, 0.05, StockField::Bound::Nominal);
+  const Cut slot =
+      field.cut(Tool::flat(1, 4), Vector3d(-5, 5, -2), Vector3d(25, 5, -2));
+  EXPECT_NEAR(slot.volume, 20 * 4 * 2, 2);
+  EXPECT_EQ(
+      field.cut(Tool::flat(1, 4), Vector3d(-5, 5, -2), Vector3d(25, 5, -2)).volume, 0);
 }
 
 TEST(StockField, HighestSeesAllWithinReach)

@@ -6,10 +6,14 @@
 #include <atomic>
 #include <exception>
 #include <mutex>
+#include <system_error>
 #include <thread>
 #include <vector>
 
 namespace pointmill {
+namespace {
+constexpr unsigned kMostThreads = 256;
+}
 
 void parallelFor(std::size_t count,
                  unsigned threads,
@@ -17,6 +21,7 @@ void parallelFor(std::size_t count,
 {
   if (threads == 0)
     threads = std::max(1u, std::thread::hardware_concurrency());
+  threads = std::min(threads, kMostThreads);
   threads = static_cast<unsigned>(std::min<std::size_t>(threads, count));
   if (threads <= 1) {
     for (std::size_t i = 0; i < count; ++i)
@@ -39,8 +44,13 @@ void parallelFor(std::size_t count,
     }
   };
   std::vector<std::thread> pool;
-  for (unsigned t = 1; t < threads; ++t)
-    pool.emplace_back(work);
+  try {
+    for (unsigned t = 1; t < threads; ++t)
+      pool.emplace_back(work);
+  }
+  catch (const std::system_error&) {
+    // the machine gives no more threads; those that there are do the work
+  }
   work();
   for (auto& thread : pool)
     thread.join();

@@ -162,6 +162,7 @@ private:
     tool_known_ = true;
     program_.tools.push_back(tool_);
     turning_ = 0;
+    length_offset_ = false; // it was the other tool's
     // The machine may have gone to its place for tool changes.
     at_.x() = at_.y() = unknown;
     loseLength();
@@ -219,6 +220,7 @@ private:
              "H" + std::to_string(h) + " is not the length of tool " +
                  std::to_string(tool_));
     }
+    length_offset_ = is(Length, 430);
     loseLength();
   }
 
@@ -392,6 +394,7 @@ private:
     m.tool = tool_;
     m.rapid = rapid;
     m.from_known = at_.allFinite();
+    m.length_offset = length_offset_;
     handler_(m);
     at_ = to;
   }
@@ -420,6 +423,7 @@ private:
   int plane_ = 170;
   int mode_ = 800;
   int offset_ = 0;
+  bool length_offset_ = false;
 };
 
 Program interpret(LineReader& lines,

@@ -15,6 +15,9 @@ using Eigen::Vector3d;
 
 /// Thinner stock than this over an entry or a link is swarf, not material [mm].
 constexpr double kNothing = 0.05;
+/// Full feed is for cuts of at most this share of the diameter squared, slots of the
+/// papers' pitch included; beyond it the feed falls in proportion, to a tenth at least.
+constexpr double kMostSection = 0.1, kSlowest = 0.1;
 /// A stay-down link may cut this deep into stock that no pass has taken [mm].
 constexpr double kLinkDepth = 0.5;
 
@@ -48,9 +51,21 @@ public:
     const Vector3d from = position(path_.back());
     if (from == at)
       return;
-    p.feed = feeds ? static_cast<float>(feedFor(from, at, motion)) : 0.f;
-    if (stock_ && feeds)
-      stock_->cut(tool_, from, at);
+    if (feeds) {
+      double feed = feedFor(from, at, motion);
+      if (stock_) { // slower where the tool takes more than it should
+        const double length = (at - from).norm();
+        const double section =
+            stock_->cut(tool_, from, at).volume / std::max(length, 1e-6);
+        const double most = kMostSection * tool_.diameter * tool_.diameter;
+        const bool sideways = (at - from).head<2>().norm() > length / 2;
+        if (sideways && section > most)
+          feed *= std::max(kSlowest, most / section);
+      }
+      p.feed = static_cast<float>(feed);
+    }
+    else
+      p.feed = 0.f;
     path_.push_back(p);
   }
 
@@ -63,8 +78,6 @@ private:
     double feed = cutting_.feed;
     if (motion == Motion::Plunge)
       feed = cutting_.plunge_feed;
-    else if (motion == Motion::LeadIn) // down through what was cut before
-      return std::min(cutting_.feed, 2 * cutting_.plunge_feed);
     else if (motion == Motion::Ramp)
       feed = std::min(cutting_.feed, std::max(cutting_.plunge_feed, cutting_.feed / 2));
     const double down = from.z() - to.z();
@@ -94,7 +107,7 @@ void LinkPasses::checkParameters() const
 void LinkPasses::apply(CLCloud& output)
 {
   Builder path(tool_, cutting_, stock_.get(), output);
-  std::size_t ramps = 0, plunges = 0, links = 0, retracts = 0, passes = 0;
+  std::size_t ramps = 0, plunges = 0, links = 0, retracts = 0, passes = 0, skipped = 0;
 
   const auto& ids = *indices_;
   for (const auto i : ids) { // before the stock is cut
@@ -118,6 +131,13 @@ void LinkPasses::apply(CLCloud& output)
     // How high the stock stands that the tool has to cut on its way down to the start.
     const double top = highest(start, start, certainRadius());
     const double lead = std::min(std::max(top, start.z()) + kNothing, clearance_);
+    const bool sinks = top > start.z() + kNothing;
+    if (sinks && tool_.isFlat() &&
+        rampAlong(pass, lead - start.z(), ramp_angle_, 2 * tool_.diameter).empty()) {
+      ++skipped;
+      begin = end;
+      continue;
+    }
     double stay = clearance_;
     if (!path.empty())
       stay = linkHeight(position(path.last()), start);
@@ -142,7 +162,7 @@ void LinkPasses::apply(CLCloud& output)
     }
     if (lead < path.last().z - kNothing)
       path.add({start.x(), start.y(), lead}, Motion::LeadIn, first);
-    if (top > start.z() + kNothing) {
+    if (top > start.z() + kNothing && path.last().z > start.z() + kNothing) {
       const double above = std::min<double>(path.last().z, lead) - start.z();
       const auto ramp = rampAlong(pass, above, ramp_angle_, 2 * tool_.diameter);
       ++(ramp.empty() ? plunges : ramps);
@@ -155,10 +175,12 @@ void LinkPasses::apply(CLCloud& output)
     ++passes;
     begin = end;
   }
-  const Vector3d from = position(path.last());
-  path.add({from.x(), from.y(), clearance_}, Motion::Retract, path.last());
-  ++retracts;
-
+  if (!path.empty()) {
+    const Vector3d from = position(path.last());
+    path.add({from.x(), from.y(), clearance_}, Motion::Retract, path.last());
+    ++retracts;
+  }
+  report_.set("skipped", static_cast<double>(skipped));
   report_.set("passes", static_cast<double>(passes));
   report_.set("links", static_cast<double>(links));
   report_.set("retracts", static_cast<double>(retracts));
@@ -186,7 +208,8 @@ double LinkPasses::linkHeight(const Vector3d& from, const Vector3d& to) const
       part_->dropAlong(tool_.grown(allowance_), from.x(), from.y(), to.x(), to.y());
   const double z = std::max({part + allowance_, floor_, higher});
   // Over a hill, or through stock that no pass has taken, the way round is better.
-  if (z > higher + stay_down_ || highest(from, to, certainRadius()) > z + kLinkDepth)
+  // A thin wall at the rim is cut at the feed that befits it.
+  if (z > higher + stay_down_ || highest(from, to, tool_.radius() / 2) > z + kLinkDepth)
     return clearance_;
   return std::min(z, clearance_);
 }

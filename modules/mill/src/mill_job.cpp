@@ -7,12 +7,14 @@
 #include <pointmill/link/order_passes.h>
 #include <pointmill/mill/mill_job.h>
 #include <pointmill/rough/level_roughing.h>
+#include <pointmill/slice/z_slices.h>
 
 #include <pcl/filters/radius_outlier_removal.h>
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstdio>
 #include <filesystem>
 #include <sstream>
 
@@ -49,6 +51,13 @@ void MillJob::timed(const std::string& stage,
   work();
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
   seconds_.emplace_back(stage, took.count());
+}
+
+double MillJob::sinkBetweenPoints() const
+{
+  const double r = options_.finish.tool.radius();
+  const double half = scan_.spacing.p99 * scan_.spacing.p99 / 2;
+  return r - std::sqrt(std::max(0.0, r * r - half));
 }
 
 double MillJob::minutes() const
@@ -156,17 +165,27 @@ void MillJob::makeMap()
     for (std::size_t i = 0; i < all.size(); ++i)
       all[i] = static_cast<pcl::index_t>(i);
     points_ = std::make_shared<PointIndex>(makePointIndex(*part_, all, CellCloud()));
-    surface_ = bridges.empty()
-                   ? points_
-                   : std::make_shared<PointIndex>(makePointIndex(*part_, all, bridges));
+    surface_ = points_;
+    bridges_.reset();
+    if (!bridges.empty()) {
+      surface_ = std::make_shared<PointIndex>(makePointIndex(*part_, all, bridges));
+      bridges_ = std::make_shared<PointIndex>(
+          makePointIndex(bridges, pcl::Indices(), bridges));
+    }
 
     const double margin = options_.stock_margin;
-    floor_ = points_->min().z();
-    stock_.min = points_->min() - Eigen::Vector3d(margin, margin, 0);
+    floor_ = std::isnan(options_.floor) ? points_->min().z() : options_.floor;
+    bridged_area_ = occupancy.getReport().get("between_points_mm2");
+    stock_.min =
+        points_->min() - Eigen::Vector3d(margin, margin, options_.stock_bottom);
     stock_.max = points_->max() + Eigen::Vector3d(margin, margin, options_.stock_top);
+    if (floor_ < stock_.min.z() - 1e-6)
+      throw ParameterError("mill: --floor lies below the stock's bottom, Z" +
+                           std::to_string(stock_.min.z()));
     if (stock_.max.z() - floor_ < 1e-3)
       throw DataError("the part is flat: there is nothing to mill");
-    standing_ = std::make_shared<StockField>(stock_, cell, StockField::Bound::Upper);
+    standing_ =
+        std::make_shared<StockField>(stock_, cell / 2, StockField::Bound::Upper);
   });
 }
 
@@ -208,7 +227,9 @@ void MillJob::planRoughing(const ToolJob& job,
                                 : zigzag;
   roughing.setTool(job.tool);
   roughing.setAllowance(job.allowance);
-  roughing.setStepDown(min_thickness > 0 ? 0.0 : options_.step_down);
+  roughing.setStepDown(min_thickness <= 0 && options_.step_down > 0
+                           ? options_.step_down
+                           : ZSlices::pitchForDiameter(job.tool.diameter));
   roughing.setStepOver(options_.step_over > 0 && min_thickness <= 0
                            ? options_.step_over
                            : 0.4 * job.tool.diameter);
@@ -227,6 +248,8 @@ void MillJob::planRoughing(const ToolJob& job,
   if (passes.empty()) // nothing that is worth this tool's while
     return;
   link(planned, passes);
+  if (planned.operation.path.empty())
+    return;
   planned.seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   operations_.push_back(std::move(planned));
@@ -311,11 +334,36 @@ void MillJob::planFinishing(const ToolJob& job,
   operations_.push_back(std::move(planned));
 }
 
+std::vector<std::string> MillJob::setUp() const
+{
+  const auto range = [&](const char* axis, int i) {
+    char text[64];
+    std::snprintf(
+        text, sizeof text, " %s%.3f to %.3f", axis, stock_.min[i], stock_.max[i]);
+    return std::string(text);
+  };
+  char text[80];
+  std::snprintf(text,
+                sizeof text,
+                "lowest tip Z%.3f, stock bottom Z%.3f, clearance plane Z%.3f",
+                floor_,
+                stock_.min.z(),
+                clearancePlane());
+  return {"stock mm" + range("X", 0) + range("Y", 1) + range("Z", 2),
+          std::string("X0 Y0 is the ") +
+              (options_.datum_xy == DatumXY::Corner ? "corner" : "centre") +
+              " of the part's box, Z0 its " +
+              (options_.datum_z == DatumZ::Top ? "top" : "bottom"),
+          text};
+}
+
 void MillJob::writeProgram()
 {
   const ErrorBudget budget = ErrorBudget::of(options_.tolerance);
   GCodeWriter writer;
   writer.addComment("part " + scan_name_);
+  for (const auto& line : setUp())
+    writer.addComment(line);
   writer.setClearancePlane(clearancePlane());
   writer.setPathTolerance(budget.blend);
   std::vector<Operation> operations;
@@ -347,7 +395,14 @@ void MillJob::verify()
   verifier.setTolerance(options_.tolerance - ErrorBudget::of(options_.tolerance).blend);
   verifier.setResidualLimit(options_.residual_limit);
   const Eigen::Vector3d size = stock_.max - stock_.min;
-  verifier.setCellSize(std::max(0.25, std::sqrt(size.x() * size.y() / 4e6)));
+  // Cells no wider than the thinnest tool's radius: nothing slips between two centres.
+  const double thinnest = std::min({options_.rough.tool.radius(),
+                                    options_.semi.tool.radius(),
+                                    options_.finish.tool.radius()});
+  verifier.setCellSize(
+      std::min(std::max(0.25, std::sqrt(size.x() * size.y() / 4e6)), thinnest / 2));
+  verifier.setProtected(bridges_);
+  verifier.setBlendLimit(ErrorBudget::of(options_.tolerance).blend + 1e-9);
   verifier.setNumberOfThreads(options_.threads);
   verification_ = verifier.verify(read_back);
   if (!verification_.good()) {

@@ -15,7 +15,8 @@ void MillOptions::validate() const
   checkRange(who, "--rapid-rate", rapid_rate, "mm/min", {10, 1e5});
   checkRange(who, "--stock-margin", stock_margin, "mm", {0, 500});
   checkRange(who, "--stock-top", stock_top, "mm", {0, 500});
-  checkRange(who, "--step-down", step_down, "mm", {0, 50});
+  checkRange(who, "--stock-bottom", stock_bottom, "mm", {0, 500});
+  checkRange(who, "--step-down", step_down, "mm", {0, rough.tool.diameter});
   checkRange(who, "--step-over", step_over, "mm", {0, rough.tool.diameter});
   checkRange(who, "--steep", steep, "deg", {0, 89});
   checkRange(who, "--residual-limit", residual_limit, "mm", {0.001, 1000});

@@ -93,12 +93,14 @@ PreviewScene sceneOf(const MillJob& job, const std::string& title)
   double gap_area = 0;
   for (const auto& gap : job.gaps())
     gap_area += gap.area;
+  const double worst = std::max(v.deviation.p95, 0.0);
   scene.figures = {text("%.0f minutes of milling", job.minutes()),
                    text("deepest gouge %.4f mm", v.gouge),
-                   text("residual p95 %.4f mm", v.residual.p95),
+                   text("95 %% of what the tool reaches within +%.3f mm", worst),
                    std::to_string(v.rapids_in_stock) + " rapids through stock",
-                   text("not scanned, protected: %.0f mm2", gap_area),
-                   text("out of the tool's reach: %.1f %% of the points",
+                   text("not scanned, protected: %.0f mm2", gap_area) +
+                       text(" and %.0f mm2 between points", job.bridgedArea()),
+                   text("out of reach or covered: %.1f %% of the points",
                         100.0 * static_cast<double>(v.unreachable_points) /
                             static_cast<double>(std::max<std::size_t>(1, v.points)))};
   return scene;
@@ -156,6 +158,14 @@ void MillJob::write(const std::string& directory)
 
   std::error_code failure;
   fs::create_directories(directory, failure);
+  for (const auto& name : names)
+    if (fs::is_directory(fs::path(directory) / name))
+      throw DataError(directory + ": " + name + " is a directory there");
+  // An old program must not stand beside a new part, nor an old picture beside both.
+  fs::remove(fs::path(directory) / "program.ngc", failure);
+  for (const char* old : {"occupancy_1.png", "occupancy_2.png", "occupancy_3.png"})
+    if (!failure)
+      fs::remove(fs::path(directory) / old, failure);
   for (const auto& name : names) {
     if (!failure)
       fs::rename(staging.path() / name, fs::path(directory) / name, failure);

@@ -2,6 +2,8 @@
 // Copyright (c) 2026, the PointMill authors
 #include "report.h"
 
+#include <pointmill/mill/summary.h>
+
 #include <pointmill/common/version.h>
 
 #include <nlohmann/json.hpp>
@@ -26,7 +28,10 @@ Json vector(const Eigen::Vector3d& v)
 
 Json quantiles(const Quantiles& q)
 {
-  return {{"p50", q.p50}, {"p95", q.p95}, {"p99", q.p99}, {"max", q.max}};
+  return {{"p50", number(q.p50)},
+          {"p95", number(q.p95)},
+          {"p99", number(q.p99)},
+          {"max", number(q.max)}};
 }
 
 Json toolJson(const Tool& tool)
@@ -50,7 +55,8 @@ Json scanJson(const MillJob& job, const std::string& name)
           {"stray_points_removed", scan.strays},
           {"points", job.part().size()},
           {"mm_per_unit", scan.scale},
-          {"spacing_mm", {{"median", scan.spacing.median}, {"p99", scan.spacing.p99}}}};
+          {"spacing_mm", {{"median", scan.spacing.median}, {"p99", scan.spacing.p99}}},
+          {"sink_between_points_mm", number(job.sinkBetweenPoints())}};
 }
 
 Json gapsJson(const MillJob& job)
@@ -72,6 +78,7 @@ Json gapsJson(const MillJob& job)
                                        : "mill"},
           {"count", job.gaps().size()},
           {"area_mm2", area},
+          {"bridged_between_points_mm2", job.bridgedArea()},
           {"largest", list}};
 }
 
@@ -175,6 +182,7 @@ std::string reportJson(const MillJob& job, const std::string& scan_name)
   json["minutes"] = job.minutes();
   json["verification"] =
       verificationJson(job.verification(), o.tolerance - budget.blend);
+  json["warnings"] = warningsOf(job);
   json["seconds"] = Json::object();
   for (const auto& [stage, seconds] : job.seconds())
     json["seconds"][stage] = seconds;

@@ -143,7 +143,7 @@ void LevelMap::measureStock(const StockField& stock,
   for (int r = 0; r < grid_.rows; ++r)
     for (int c = 0; c < grid_.columns; ++c)
       standing[grid_.index(c, r)] =
-          static_cast<float>(stock.highest(grid_.x(c), grid_.y(r), 0.0));
+          static_cast<float>(stock.highest(grid_.x(c), grid_.y(r), cell / 4));
   // Under the tool for certain: what a pass over the node would cut away.
   const double certain =
       std::max(0.0, tool.radius() - std::sqrt(2.0) * stock.cellSize());

@@ -22,6 +22,12 @@ PointIndex::PointIndex(std::vector<float> x, std::vector<float> y, std::vector<f
 {
   if (z.empty())
     throw DataError("no finite point to cut: the cloud is empty");
+  if (x.size() != z.size() || y.size() != z.size())
+    throw DataError("the points' x, y and z are not of one number");
+  const auto finite = [](float v) { return std::isfinite(v); };
+  for (const auto* axis : {&x, &y, &z})
+    if (!std::all_of(axis->begin(), axis->end(), finite))
+      throw DataError("a point of the index is not finite");
   if (z.size() > std::numeric_limits<std::uint32_t>::max())
     throw DataError("more than 4294967295 points: thin the scan");
   const auto [x0, x1] = std::minmax_element(x.begin(), x.end());
@@ -80,7 +86,8 @@ void PointIndex::scan(
 {
   const double x0 = std::min(ax, bx) - radius, x1 = std::max(ax, bx) + radius;
   const double y0 = std::min(ay, by) - radius, y1 = std::max(ay, by) + radius;
-  if (x1 < min_.x() || y1 < min_.y() || x0 > max_.x() || y0 > max_.y())
+  // written so that NaN meets nothing
+  if (!(x1 >= min_.x() && y1 >= min_.y() && x0 <= max_.x() && y0 <= max_.y()))
     return;
   const int c0 = columnOf(x0), c1 = columnOf(x1), r0 = rowOf(y0), r1 = rowOf(y1);
   const bool level = ay == by || ax == bx;

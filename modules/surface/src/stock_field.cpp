@@ -18,10 +18,16 @@ StockField::StockField(const Stock& stock, double cell, Bound bound)
   const Eigen::Vector3d size = stock.max - stock.min;
   if (!(size.minCoeff() > 0))
     throw ParameterError("StockField: the stock box has no volume");
+  if ((size.x() / cell + 1) * (size.y() / cell + 1) > 100e6)
+    throw ParameterError("StockField: more than 100 million cells: choose larger ones");
   columns_ = std::max(1, static_cast<int>(std::ceil(size.x() / cell - 1e-9)));
   rows_ = std::max(1, static_cast<int>(std::ceil(size.y() / cell - 1e-9)));
   height_.assign(static_cast<std::size_t>(columns_) * rows_,
                  static_cast<float>(stock.max.z()));
+  if (bound == Bound::Upper && height_.front() < stock.max.z()) // rounded down
+    std::fill(height_.begin(),
+              height_.end(),
+              std::nextafter(height_.front(), std::numeric_limits<float>::infinity()));
 }
 
 int StockField::rowOf(double y) const
@@ -30,11 +36,11 @@ int StockField::rowOf(double y) const
   return static_cast<int>(std::clamp(row, 0.0, rows_ - 1.0));
 }
 
-double StockField::cut(const Tool& tool,
-                       const Eigen::Vector3d& a,
-                       const Eigen::Vector3d& b,
-                       int row0,
-                       int row1)
+Cut StockField::cut(const Tool& tool,
+                    const Eigen::Vector3d& a,
+                    const Eigen::Vector3d& b,
+                    int row0,
+                    int row1)
 {
   const double r = tool.radius();
   const auto index = [&](double v, double origin) {
@@ -50,7 +56,7 @@ double StockField::cut(const Tool& tool,
   const double guard = bound_ == Bound::Upper ? cell_ * std::sqrt(0.5) : 0.0;
   const double lowest = std::min(a.z(), b.z());
   const double dx = b.x() - a.x(), dy = b.y() - a.y(), len2 = dx * dx + dy * dy;
-  double deepest = 0;
+  Cut taken;
   for (int row = r0; row <= r1; ++row) {
     float* line = &height_[static_cast<std::size_t>(row) * columns_];
     const double cy = y(row);
@@ -74,7 +80,8 @@ double StockField::cut(const Tool& tool,
       else
         h = sweptHeight(tool, a, b, cx, cy);
       if (h < line[column]) {
-        deepest = std::max(deepest, line[column] - h);
+        taken.depth = std::max(taken.depth, line[column] - h);
+        taken.volume += (line[column] - h) * cell_ * cell_;
         // float32 must not round an upper bound down
         float stored = static_cast<float>(h);
         if (guard > 0 && stored < h)
@@ -83,7 +90,7 @@ double StockField::cut(const Tool& tool,
       }
     }
   }
-  return deepest;
+  return taken;
 }
 
 double
@@ -92,10 +99,12 @@ StockField::highest(double ax, double ay, double bx, double by, double radius) c
   double best = -std::numeric_limits<double>::infinity();
   const double reach = radius + cell_ * std::sqrt(0.5);
   const auto low = [&](double v, double origin) {
-    return static_cast<int>(std::floor((v - reach - origin) / cell_));
+    return static_cast<int>(
+        std::clamp(std::floor((v - reach - origin) / cell_), -1e9, 1e9));
   };
   const auto high = [&](double v, double origin) {
-    return static_cast<int>(std::floor((v + reach - origin) / cell_));
+    return static_cast<int>(
+        std::clamp(std::floor((v + reach - origin) / cell_), -1e9, 1e9));
   };
   const int c0 = std::max(0, low(std::min(ax, bx), stock_.min.x()));
   const int c1 = std::min(columns_ - 1, high(std::max(ax, bx), stock_.min.x()));

@@ -40,8 +40,8 @@ Quantiles quantiles(std::vector<float>& values)
 class Envelope {
 public:
   Envelope(const PointIndex& part, const Tool& tool, unsigned threads)
-      : tool_(tool), cell_(tool.radius() / 8), x0_(part.min().x() - tool.radius()),
-        y0_(part.min().y() - tool.radius())
+      : part_(part), tool_(tool), cell_(tool.radius() / 8),
+        x0_(part.min().x() - tool.radius()), y0_(part.min().y() - tool.radius())
   {
     const Eigen::Vector3d size = part.max() - part.min();
     columns_ = static_cast<int>((size.x() + 2 * tool.radius()) / cell_) + 2;
@@ -56,24 +56,53 @@ public:
     reach_ = n;
   }
 
-  double lowestOver(double x, double y) const
+  double lowestOver(const Eigen::Vector3d& p) const
   {
-    const int ci = static_cast<int>((x - x0_) / cell_ + 0.5);
-    const int cj = static_cast<int>((y - y0_) / cell_ + 0.5);
-    double best = kInfinity;
+    const int ci = static_cast<int>((p.x() - x0_) / cell_ + 0.5);
+    const int cj = static_cast<int>((p.y() - y0_) / cell_ + 0.5);
+    double best = kInfinity, bx = p.x(), by = p.y();
     for (int j = std::max(0, cj - reach_); j <= std::min(rows_ - 1, cj + reach_); ++j)
       for (int i = std::max(0, ci - reach_); i <= std::min(columns_ - 1, ci + reach_);
            ++i) {
         const double tip = tip_[static_cast<std::size_t>(j) * columns_ + i];
         if (tip >= best)
           continue;
-        const double d = std::hypot(x0_ + i * cell_ - x, y0_ + j * cell_ - y);
-        best = std::min(best, tip + tool_.profile(d));
+        const double x = x0_ + i * cell_, y = y0_ + j * cell_;
+        const double h = tip + tool_.profile(std::hypot(x - p.x(), y - p.y()));
+        if (h < best) {
+          best = h;
+          bx = x;
+          by = y;
+        }
       }
+    // On steep ground the grid is too coarse: search on around its best place.
+    double step = cell_ / 2;
+    for (int round = 0; round < kRefinements && best - p.z() > kClose; ++round) {
+      const double x = bx, y = by;
+      for (int k = 0; k < 9; ++k) {
+        const double tx = x + (k % 3 - 1) * step, ty = y + (k / 3 - 1) * step;
+        const double d = std::hypot(tx - p.x(), ty - p.y());
+        if (d > tool_.radius())
+          continue;
+        const double tip = std::max(part_.min().z(), part_.drop(tool_, tx, ty).tip);
+        const double h = tip + tool_.profile(d);
+        if (h < best) {
+          best = h;
+          bx = tx;
+          by = ty;
+        }
+      }
+      if (bx == x && by == y)
+        step /= 2;
+    }
     return best;
   }
 
 private:
+  static constexpr int kRefinements = 6;
+  static constexpr double kClose = 0.01; ///< near enough to the point itself [mm]
+
+  const PointIndex& part_;
   Tool tool_;
   double cell_, x0_, y0_;
   int columns_ = 0, rows_ = 0, reach_ = 0;
@@ -82,14 +111,14 @@ private:
 
 } // namespace
 
-void judgePoints(const PointIndex& part,
-                 const std::vector<SweptMove>& moves,
-                 double tolerance,
-                 unsigned threads,
-                 Verification& result)
+Gouges sweepPoints(const PointIndex& part,
+                   const std::vector<SweptMove>& moves,
+                   double tolerance,
+                   unsigned threads,
+                   std::vector<float>& height)
 {
   const Bands bands(moves, part.min().y(), part.cellSize(), part.rows());
-  std::vector<float> height(part.size(), std::numeric_limits<float>::infinity());
+  height.assign(part.size(), std::numeric_limits<float>::infinity());
   struct Worst {
     double depth = 0;
     std::size_t point = 0, line = 0, count = 0;
@@ -131,14 +160,31 @@ void judgePoints(const PointIndex& part,
     worst[band].count = static_cast<std::size_t>(
         std::unique(gouged.begin(), gouged.end()) - gouged.begin());
   });
+  Gouges gouges;
   for (const auto& w : worst) {
-    result.gouged_points += w.count;
-    if (w.depth > result.gouge) {
-      result.gouge = w.depth;
-      result.gouge_at = part.point(w.point);
-      result.gouge_line = w.line;
+    gouges.count += w.count;
+    if (w.depth > gouges.depth) {
+      gouges.depth = w.depth;
+      gouges.at = part.point(w.point);
+      gouges.line = w.line;
     }
   }
+  return gouges;
+}
+
+void judgePoints(const PointIndex& part,
+                 const std::vector<SweptMove>& moves,
+                 double tolerance,
+                 unsigned threads,
+                 Verification& result)
+{
+  std::vector<float> height;
+  const Gouges gouges = sweepPoints(part, moves, tolerance, threads, height);
+  result.gouge = gouges.depth;
+  result.gouge_at = gouges.at;
+  result.gouge_line = gouges.line;
+  result.gouged_points = gouges.count;
+  result.points = part.size();
 
   const Tool* last = nullptr;
   for (const auto& m : moves)
@@ -153,9 +199,9 @@ void judgePoints(const PointIndex& part,
     const auto [first, end] = part.cells(static_cast<int>(row), 0, part.columns() - 1);
     for (std::size_t q = first; q < end; ++q) {
       const Eigen::Vector3d p = part.point(q);
-      const double perfect = std::max(p.z(), envelope.lowestOver(p.x(), p.y()));
+      const double perfect = std::max(p.z(), envelope.lowestOver(p));
       reachable[q] = perfect - p.z() <= kReach;
-      residual[q] = static_cast<float>(height[q] - perfect);
+      residual[q] = std::max(0.f, static_cast<float>(height[q] - perfect));
       deviation[q] = static_cast<float>(height[q] - p.z());
     }
   });

@@ -52,12 +52,12 @@ void judgeStock(const Stock& stock,
       if (m.rapid) {
         const Eigen::Vector3d up(0, 0, tolerance);
         const double depth =
-            field.cut(rapid_tools.at(m.tool), m.a + up, m.b + up, row0, row1);
+            field.cut(rapid_tools.at(m.tool), m.a + up, m.b + up, row0, row1).depth;
         if (depth > 0.01)
           mine.rapids[k] = depth;
       }
       else {
-        const double depth = field.cut(*m.tool, m.a, m.b, row0, row1);
+        const double depth = field.cut(*m.tool, m.a, m.b, row0, row1).depth;
         auto& deepest = mine.axial[m.tool->number];
         deepest = std::max(deepest, depth);
       }

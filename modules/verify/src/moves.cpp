@@ -26,6 +26,20 @@ Bands::Bands(const std::vector<SweptMove>& moves, double y0, double height, int 
   }
 }
 
+namespace {
+
+/// Whether X or Y moves while nobody knows how high the tool is.
+bool sidewaysBlind(const ProgramMove& m)
+{
+  const auto stays = [&](int axis) {
+    return m.from[axis] == m.to[axis] ||
+           (std::isnan(m.from[axis]) && std::isnan(m.to[axis]));
+  };
+  return (!stays(0) || !stays(1)) && std::isnan(m.from.z());
+}
+
+} // namespace
+
 std::vector<SweptMove> collectMoves(const Program& program,
                                     const std::vector<Tool>& tools,
                                     const Stock& stock,
@@ -58,20 +72,16 @@ std::vector<SweptMove> collectMoves(const Program& program,
              "feed move with tool " + std::to_string(m.tool) + ", which is not known",
              m);
       // The spindle may be empty before the first tool change, but it must be high up.
-      else if (m.from.allFinite() && m.to.allFinite() &&
-               std::min(m.from.z(), m.to.z()) < stock.top())
+      else if (m.from.z() < stock.top() || m.to.z() < stock.top())
         find("no_tool_below_stock", "rapid below the stock's top without a tool", m);
+      else if (sidewaysBlind(m))
+        find("unknown_position", "sideways move at an unknown height", m);
       continue;
     }
     if (!m.from.allFinite() || !m.to.allFinite()) {
       // Where the machine stands is not known: only Z may move, and above the stock.
       const bool high = !(m.from.z() < stock.top()) && !(m.to.z() < stock.top());
-      const auto stays = [&](int axis) {
-        return m.from[axis] == m.to[axis] ||
-               (std::isnan(m.from[axis]) && std::isnan(m.to[axis]));
-      };
-      const bool sideways = !stays(0) || !stays(1);
-      if (!m.rapid || !high || (sideways && std::isnan(m.from.z())))
+      if (!m.rapid || !high || sidewaysBlind(m))
         find("unknown_position",
              "move from or to an unknown position that is not safely above the stock",
              m);
@@ -80,6 +90,10 @@ std::vector<SweptMove> collectMoves(const Program& program,
     if (!m.rapid) {
       if (!(m.feed > 0) || m.feed > 1e5)
         find("feed", "feed move without a sensible feed", m);
+      if (!m.length_offset)
+        find("length_offset", "feed move without the tool's length (G43)", m);
+      if (std::min(m.from.z(), m.to.z()) < stock.min.z() - 1e-3)
+        find("below_stock", "feed move below the bottom of the stock", m);
       if (!(m.spindle > 0))
         find("spindle", "feed move while the spindle stands or turns backwards", m);
     }

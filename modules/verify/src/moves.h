@@ -42,6 +42,23 @@ std::vector<SweptMove> collectMoves(const Program& program,
                                     const Stock& stock,
                                     Verification& result);
 
+/// @brief How deep the points of an index get inside the tools.
+struct Gouges {
+  double depth = 0;
+  Eigen::Vector3d at = Eigen::Vector3d::Zero();
+  std::size_t line = 0;
+  std::size_t count = 0; ///< of the points deeper than the tolerance
+};
+
+/// @brief Sweeps the moves over points.
+/// @param height lowest height of any tool over each point; infinite where none comes
+/// by
+Gouges sweepPoints(const PointIndex& points,
+                   const std::vector<SweptMove>& moves,
+                   double tolerance,
+                   unsigned threads,
+                   std::vector<float>& height);
+
 /// @brief Gouges, residuals and deviations at the points.
 void judgePoints(const PointIndex& part,
                  const std::vector<SweptMove>& moves,

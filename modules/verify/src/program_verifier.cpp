@@ -36,6 +36,26 @@ Verification ProgramVerifier::verify(const Program& program) const
   Verification result;
   const auto moves = collectMoves(program, tools_, stock_, result);
   judgePoints(*part_, moves, tolerance_, threads_, result);
+  if (protected_) {
+    std::vector<float> height;
+    const Gouges gouges = sweepPoints(*protected_, moves, tolerance_, threads_, height);
+    if (gouges.count > 0)
+      result.findings.push_back({"gap",
+                                 "the bridge over a gap of the scan is cut into, " +
+                                     millimetres(gouges.depth) + " deep",
+                                 gouges.depth,
+                                 gouges.at,
+                                 gouges.line});
+  }
+  const double blend = program.blend < 0 ? std::numeric_limits<double>::infinity()
+                                         : program.blend + program.merge;
+  if (blend > blend_limit_)
+    result.findings.push_back({"blend",
+                               "the control may round corners by more than " +
+                                   millimetres(blend_limit_) + " (G64)",
+                               blend,
+                               {0, 0, 0},
+                               0});
   judgeStock(stock_, cell_, moves, tolerance_, threads_, result);
 
   if (result.gouged_points > 0)

@@ -104,7 +104,10 @@ protected:
     report_.clear();
     PointCloud result;
     apply(result);
-    output = std::move(result);
+    result.header = output.header; // what pcl::Filter has set
+    result.sensor_origin_ = output.sensor_origin_;
+    result.sensor_orientation_ = output.sensor_orientation_;
+    output.swap(result);
     applied_ = true;
   }
 
@@ -128,7 +131,7 @@ using OutputOf = decltype(pointOf(static_cast<F*>(nullptr)));
 /// mixed; a chain whose point types do not fit is a compile error.
 /// @return the last filter's cloud, never null
 template <typename PointT, typename First, typename... Rest>
-auto run(const typename pcl::PointCloud<PointT>::ConstPtr& cloud,
+auto run(const std::shared_ptr<const pcl::PointCloud<PointT>>& cloud,
          First& first,
          Rest&... rest)
 {

@@ -25,7 +25,8 @@ struct ProgramMove {
   std::size_t line = 0; ///< counts from 1
   int tool = 0;         ///< in the spindle; 0: none or not known
   bool rapid = false;
-  bool from_known = false; ///< all of @ref from is finite
+  bool from_known = false;    ///< all of @ref from is finite
+  bool length_offset = false; ///< the tool's length is in force (G43)
 };
 
 /// @brief What a program does.

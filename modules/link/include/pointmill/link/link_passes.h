@@ -26,6 +26,11 @@ namespace pointmill {
 /// - Descending feed moves are slowed so that the tool never goes down faster than its
 ///   plunge feed.
 ///
+/// - Where a move takes more than a tenth of the diameter squared as cross-section, its
+///   feed falls in proportion.
+/// - A flat end mill may not cut at its centre: passes that it would have to enter
+///   straight down are left out ("skipped" in the report) for a later tool.
+///
 /// The stock is cut along, so that the next operation knows what stands.
 class LinkPasses : public Filter<PointCL> {
 public:

@@ -81,6 +81,13 @@ public:
   double clearancePlane() const { return stock_.top() + options_.clearance; }
   double floor() const { return floor_; }
   double minutes() const;
+  /// @brief Area inside the outline that lies between points and was bridged [mm2].
+  double bridgedArea() const { return bridged_area_; }
+  /// @brief How far the last tool's tip sinks between points on a flat, at the 99 %
+  /// spacing [mm].
+  double sinkBetweenPoints() const;
+  /// @brief What the one who sets up must know, a line each.
+  std::vector<std::string> setUp() const;
 
 private:
   void readAndAlign(const std::string& scan);
@@ -109,10 +116,11 @@ private:
   CellCloud::Ptr map_;
   std::vector<GapRegion> gaps_;
   std::shared_ptr<const PointIndex> points_;  // the part's own points
-  std::shared_ptr<const PointIndex> surface_; // and what bridges its gaps
+  std::shared_ptr<const PointIndex> bridges_; // over its gaps
+  std::shared_ptr<const PointIndex> surface_; // both
   Stock stock_;
   std::shared_ptr<StockField> standing_;
-  double floor_ = 0;
+  double floor_ = 0, bridged_area_ = 0;
   std::vector<PlannedOperation> operations_;
   std::string program_;
   Verification verification_;

@@ -8,6 +8,7 @@
 #include <pointmill/slice/occupancy_map.h>
 
 #include <cstdint>
+#include <limits>
 #include <string>
 
 namespace pointmill {
@@ -48,6 +49,9 @@ struct MillOptions {
   double rapid_rate = 5000.0;
   double stock_margin = 0.0; ///< stock beyond the part on each side in X and Y [mm]
   double stock_top = 0.0;    ///< stock above the part's highest point [mm]
+  double stock_bottom = 0.0; ///< stock below the part's lowest point [mm]
+  /// Z that no tip goes below [mm]; NaN: the part's lowest point.
+  double floor = std::numeric_limits<double>::quiet_NaN();
 
   // the operations
   RoughingStrategy roughing = RoughingStrategy::ZigZag;

@@ -32,7 +32,8 @@ struct Contact {
 /// double.
 class PointIndex {
 public:
-  /// @throws DataError for no points at all
+  /// @throws DataError for no points at all, points that are not finite, or lists of
+  ///         different lengths
   PointIndex(std::vector<float> x, std::vector<float> y, std::vector<float> z);
 
   std::size_t size() const { return z_.size(); }

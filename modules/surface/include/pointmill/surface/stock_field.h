@@ -12,6 +12,12 @@
 
 namespace pointmill {
 
+/// @brief What a move takes from the stock.
+struct Cut {
+  double depth = 0;  ///< thickest layer [mm]
+  double volume = 0; ///< [mm3]
+};
+
 /// @brief What still stands of the stock, as a height over each cell of a regular grid
 /// [mm]. Tools come from above only, so one height says it all.
 class StockField {
@@ -21,18 +27,19 @@ public:
     Nominal ///< exact at the cell's centre: for simulation
   };
 
-  /// @throws ParameterError unless the box has volume and 0.01 <= cell [mm]
+  /// @throws ParameterError unless the box has volume, 0.01 <= cell [mm], and there are
+  /// less than 100 million cells
   StockField(const Stock& stock, double cell, Bound bound);
 
   /// @brief Moves @p tool straight from @p a to @p b through the cells of rows
   /// [@p row0, @p row1), so that threads can share the work by rows.
-  /// @return the thickest layer that it took from a cell's centre [mm], 0 in the air
-  double cut(const Tool& tool,
-             const Eigen::Vector3d& a,
-             const Eigen::Vector3d& b,
-             int row0,
-             int row1);
-  double cut(const Tool& tool, const Eigen::Vector3d& a, const Eigen::Vector3d& b)
+  /// @return what it took, by the cells' centres; nothing in the air
+  Cut cut(const Tool& tool,
+          const Eigen::Vector3d& a,
+          const Eigen::Vector3d& b,
+          int row0,
+          int row1);
+  Cut cut(const Tool& tool, const Eigen::Vector3d& a, const Eigen::Vector3d& b)
   {
     return cut(tool, a, b, 0, rows_);
   }

@@ -11,6 +11,7 @@
 
 #include <Eigen/Core>
 
+#include <limits>
 #include <map>
 #include <memory>
 #include <string>
@@ -73,6 +74,14 @@ class ProgramVerifier {
 public:
   /// @brief The points of the part, without anything that was added to them.
   void setPart(std::shared_ptr<const PointIndex> part) { part_ = std::move(part); }
+  /// @brief Places that are no points of the part but must be kept as if they were: the
+  /// bridges over its gaps.
+  void setProtected(std::shared_ptr<const PointIndex> places)
+  {
+    protected_ = std::move(places);
+  }
+  /// @brief How far the control may round corners and merge lines (G64 P and Q) [mm].
+  void setBlendLimit(double limit) { blend_limit_ = limit; }
   void setStock(const Stock& stock) { stock_ = stock; }
   void setTools(std::vector<Tool> tools) { tools_ = std::move(tools); }
   /// @brief Points that get deeper into a tool than this are gouged [mm].
@@ -101,10 +110,11 @@ public:
   Verification verify(const Program& program) const;
 
 private:
-  std::shared_ptr<const PointIndex> part_;
+  std::shared_ptr<const PointIndex> part_, protected_;
   Stock stock_;
   std::vector<Tool> tools_;
   double tolerance_ = 0.02, residual_limit_ = 1e4, cell_ = 0.25;
+  double blend_limit_ = std::numeric_limits<double>::infinity();
   unsigned threads_ = 0;
 };
 

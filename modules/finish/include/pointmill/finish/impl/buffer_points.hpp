@@ -37,6 +37,7 @@ void BufferPoints<PointT>::apply(CLCloud& output)
   }
   begin.push_back(ids.size());
 
+  const Tool grown = tool_.grown(allowance_);
   struct Refined {
     CLCloud path;
     std::size_t leaps = 0, raised = 0;
@@ -65,6 +66,13 @@ void BufferPoints<PointT>::apply(CLCloud& output)
         q.x = static_cast<float>(c.x());
         q.y = static_cast<float>(c.y());
         q.z = static_cast<float>(c.z());
+        if (&c != &chord.back()) { // an inserted point has a contact of its own
+          const Contact contact = index->drop(grown, c.x(), c.y());
+          const Eigen::Vector3d n = index->contactNormal(grown, c.x(), c.y(), contact);
+          q.normal_x = static_cast<float>(n.x());
+          q.normal_y = static_cast<float>(n.y());
+          q.normal_z = static_cast<float>(n.z());
+        }
         mine.path.push_back(q);
       }
       last = at;

@@ -10,6 +10,8 @@ template <typename PointT>
 void CLSurface<PointT>::apply(CLCloud& output)
 {
   auto index = index_;
+  if (index && this->indices_->size() != this->input_->size())
+    throw ParameterError("CLSurface: with an index of its own it takes no indices");
   if (!index)
     index = std::make_shared<PointIndex>(makePointIndex(
         *this->input_, *this->indices_, pcl::PointCloud<pcl::PointXYZ>()));

@@ -93,6 +93,9 @@ void OccupancyMap<PointT>::apply(CellCloud& output)
   this->report_.set("empty_cells", cells(CellState::Empty));
   this->report_.set("gaps", static_cast<double>(gaps_.size()));
   this->report_.set("gap_area_mm2", area);
+  this->report_.set("between_points_mm2",
+                    static_cast<double>(std::count(between.begin(), between.end(), 1)) *
+                        grid.cell * grid.cell);
 }
 
 } // namespace pointmill

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the PointMill authors
+#include <pointmill/mill/summary.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdarg>
+#include <cstdio>
+#include <filesystem>
+
+namespace pointmill {
+namespace {
+
+#if defined(__GNUC__)
+__attribute__((format(printf, 1, 2)))
+#endif
+std::string
+print(const char* format, ...)
+{
+  char text[512];
+  va_list arguments;
+  va_start(arguments, format);
+  std::vsnprintf(text, sizeof text, format, arguments);
+  va_end(arguments);
+  return text;
+}
+
+double percent(std::size_t part, std::size_t whole)
+{
+  return 100.0 * double(part) / double(std::max<std::size_t>(1, whole));
+}
+
+} // namespace
+
+std::vector<std::string> warningsOf(const MillJob& job)
+{
+  std::vector<std::string> lines;
+  if (job.floor() <= job.stock().min.z() + 1e-6)
+    lines.push_back(print("the part's surroundings are cut down to the bottom of the "
+                          "stock, Z%.2f: --floor or --stock-bottom leave it a base",
+                          job.floor()));
+  const double sink = job.sinkBetweenPoints();
+  if (sink > job.options().tolerance)
+    lines.push_back(
+        print("the scan is sparse: between its points the last tool may sink "
+              "%.3f mm, more on slopes, below the true surface",
+              sink));
+  for (const auto* tool : {&job.options().rough.tool,
+                           &job.options().semi.tool,
+                           &job.options().finish.tool}) {
+    const auto& depths = job.verification().axial_depth;
+    const auto depth = depths.find(tool->number);
+    if (depth != depths.end() && depth->second > 1.5 * tool->diameter)
+      lines.push_back(
+          print("%s cuts up to %.1f mm deep at once somewhere (thin walls of "
+                "stock count); its feed is reduced there",
+                tool->describe().c_str(),
+                depth->second));
+    const auto& tips = job.verification().lowest_tip;
+    const auto tip = tips.find(tool->number);
+    if (tip == tips.end())
+      continue;
+    const double reach = job.stock().top() - tip->second;
+    if (reach > 6 * tool->diameter)
+      lines.push_back(
+          print("%s must reach %.0f mm below the top of the stock: check its "
+                "stick-out; holder and shank are not checked",
+                tool->describe().c_str(),
+                reach));
+  }
+  return lines;
+}
+
+std::string summaryOf(const MillJob& job, const std::string& directory)
+{
+  const Verification& v = job.verification();
+  const Eigen::Vector3d size = job.partSize();
+  std::string text =
+      print("part       %.2f x %.2f x %.2f mm, %zu points (%zu strays removed)\n",
+            size.x(),
+            size.y(),
+            size.z(),
+            job.part().size(),
+            job.scanFigures().strays);
+  for (const auto& line : job.setUp())
+    text += "set-up     " + line + "\n";
+  for (const auto& o : job.operations())
+    text += print(
+        "%-20s %-16s %8zu CL points %9.0f mm cut %8.0f mm rapid %7.1f min %6.2f s\n",
+        o.operation.name.c_str(),
+        o.operation.tool.describe().c_str(),
+        o.figures.cl_points,
+        o.figures.cutting_length,
+        o.figures.rapid_length,
+        o.figures.minutes,
+        o.seconds);
+  text += print("verified   deepest gouge %.4f mm, %zu rapids in stock\n",
+                v.gouge,
+                v.rapids_in_stock);
+  text +=
+      print("left over  p50 %.4f p95 %.4f max %.3f mm more than a perfect pass of the "
+            "last tool leaves\n",
+            v.residual.p50,
+            v.residual.p95,
+            v.residual.max);
+  text +=
+      print("surface    p50 %+.4f p95 %+.4f p99 %+.4f mm from the points in reach\n",
+            v.deviation.p50,
+            v.deviation.p95,
+            v.deviation.p99);
+  text +=
+      print("not cut    %.1f %% of the points: out of reach, or covered by others\n",
+            percent(v.unreachable_points, v.points));
+  double gaps = 0;
+  for (const auto& gap : job.gaps())
+    gaps += gap.area;
+  text +=
+      print("not seen   %zu gaps of the scan, %.1f mm2, and %.1f mm2 between points: "
+            "%s\n",
+            job.gaps().size(),
+            gaps,
+            job.bridgedArea(),
+            job.options().gaps == GapPolicy::Mill ? "gaps are milled"
+                                                  : "bridged and protected");
+  const double minutes = std::ceil(job.minutes());
+  text += print("time       %.0f h %02.0f min of milling\n",
+                std::floor(minutes / 60),
+                std::fmod(minutes, 60.0));
+  for (const auto& line : warningsOf(job))
+    text += "mind       " + line + "\n";
+  const auto at = [&](const char* name) {
+    return (std::filesystem::path(directory) / name).string() + "\n";
+  };
+  text += "program    " + at("program.ngc");
+  text += "picture    " + at("preview.png");
+  text += "report     " + at("report.json");
+  return text;
+}
+
+} // namespace pointmill
