@@ -168,6 +168,8 @@ TEST_F(Linking, AHeavyCutIsSlowedInProportion)
   // A slot of 5 x 4 mm is 20 mm2; full feed is for a tenth of 5 x 5.
   CLCloud passes;
   addPass(passes, 0, {{-6, 9, -4}, {36, 9, -4}});
+  linker.setNominalStock(
+      std::make_shared<StockField>(kBox, 0.25, StockField::Bound::Nominal));
   const auto path = link(linker, passes);
   bool cut = false;
   for (const auto& p : path)

@@ -29,8 +29,12 @@ Vector3d position(const PointCL& p)
 /// Builds the path point by point: sets feeds and cuts the stock.
 class Builder {
 public:
-  Builder(const Tool& tool, const Cutting& cutting, StockField* stock, CLCloud& path)
-      : tool_(tool), cutting_(cutting), stock_(stock), path_(path)
+  Builder(const Tool& tool,
+          const Cutting& cutting,
+          StockField* stock,
+          StockField* nominal,
+          CLCloud& path)
+      : tool_(tool), cutting_(cutting), stock_(stock), nominal_(nominal), path_(path)
   {
   }
 
@@ -53,10 +57,12 @@ public:
       return;
     if (feeds) {
       double feed = feedFor(from, at, motion);
-      if (stock_) { // slower where the tool takes more than it should
+      if (stock_)
+        stock_->cut(tool_, from, at);
+      if (nominal_) { // slower where the tool takes more than it should
         const double length = (at - from).norm();
         const double section =
-            stock_->cut(tool_, from, at).volume / std::max(length, 1e-6);
+            nominal_->cut(tool_, from, at).volume / std::max(length, 1e-6);
         const double most = kMostSection * tool_.diameter * tool_.diameter;
         const bool sideways = (at - from).head<2>().norm() > length / 2;
         if (sideways && section > most)
@@ -76,6 +82,8 @@ private:
   double feedFor(const Vector3d& from, const Vector3d& to, Motion motion) const
   {
     double feed = cutting_.feed;
+    if (motion == Motion::LeadIn)
+      return feed; // through air
     if (motion == Motion::Plunge)
       feed = cutting_.plunge_feed;
     else if (motion == Motion::Ramp)
@@ -89,6 +97,7 @@ private:
   const Tool& tool_;
   const Cutting& cutting_;
   StockField* stock_;
+  StockField* nominal_;
   CLCloud& path_;
 };
 
@@ -106,7 +115,7 @@ void LinkPasses::checkParameters() const
 
 void LinkPasses::apply(CLCloud& output)
 {
-  Builder path(tool_, cutting_, stock_.get(), output);
+  Builder path(tool_, cutting_, stock_.get(), nominal_.get(), output);
   std::size_t ramps = 0, plunges = 0, links = 0, retracts = 0, passes = 0, skipped = 0;
 
   const auto& ids = *indices_;
@@ -160,8 +169,12 @@ void LinkPasses::apply(CLCloud& output)
       if (down < clearance_)
         path.add({start.x(), start.y(), down}, Motion::Rapid, first);
     }
-    if (lead < path.last().z - kNothing)
-      path.add({start.x(), start.y(), lead}, Motion::LeadIn, first);
+    if (lead < path.last().z - kNothing) {
+      const bool air =
+          nominal_ && nominal_->highest(start.x(), start.y(), tool_.radius()) <= lead;
+      path.add(
+          {start.x(), start.y(), lead}, air ? Motion::LeadIn : Motion::Plunge, first);
+    }
     if (top > start.z() + kNothing && path.last().z > start.z() + kNothing) {
       const double above = std::min<double>(path.last().z, lead) - start.z();
       const auto ramp = rampAlong(pass, above, ramp_angle_, 2 * tool_.diameter);
@@ -209,7 +222,7 @@ double LinkPasses::linkHeight(const Vector3d& from, const Vector3d& to) const
   const double z = std::max({part + allowance_, floor_, higher});
   // Over a hill, or through stock that no pass has taken, the way round is better.
   // A thin wall at the rim is cut at the feed that befits it.
-  if (z > higher + stay_down_ || highest(from, to, tool_.radius() / 2) > z + kLinkDepth)
+  if (z > higher + stay_down_ || highest(from, to, tool_.radius() / 3) > z + kLinkDepth)
     return clearance_;
   return std::min(z, clearance_);
 }

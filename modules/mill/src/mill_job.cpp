@@ -184,8 +184,9 @@ void MillJob::makeMap()
                            std::to_string(stock_.min.z()));
     if (stock_.max.z() - floor_ < 1e-3)
       throw DataError("the part is flat: there is nothing to mill");
-    standing_ =
-        std::make_shared<StockField>(stock_, cell / 2, StockField::Bound::Upper);
+    standing_ = std::make_shared<StockField>(stock_, cell, StockField::Bound::Upper);
+    nominal_ =
+        std::make_shared<StockField>(stock_, cell / 2, StockField::Bound::Nominal);
   });
 }
 
@@ -196,6 +197,7 @@ void MillJob::link(PlannedOperation& planned, const CLCloud& passes)
   linker.setCutting(planned.operation.cutting);
   linker.setClearancePlane(clearancePlane());
   linker.setStock(standing_);
+  linker.setNominalStock(nominal_);
   linker.setPart(surface_, planned.allowance, floor_);
   linker.setStayDown(2 * planned.operation.tool.diameter);
   linker.setInputCloud(CLCloud::ConstPtr(new CLCloud(passes)));

@@ -77,7 +77,9 @@ public:
       }
     // On steep ground the grid is too coarse: search on around its best place.
     double step = cell_ / 2;
-    for (int round = 0; round < kRefinements && best - p.z() > kClose; ++round) {
+    const bool near = best - p.z() < tool_.radius(); // else something covers it
+    for (int round = 0; near && round < kRefinements && best - p.z() > kClose;
+         ++round) {
       const double x = bx, y = by;
       for (int k = 0; k < 9; ++k) {
         const double tx = x + (k % 3 - 1) * step, ty = y + (k / 3 - 1) * step;
@@ -99,7 +101,7 @@ public:
   }
 
 private:
-  static constexpr int kRefinements = 6;
+  static constexpr int kRefinements = 4;
   static constexpr double kClose = 0.01; ///< near enough to the point itself [mm]
 
   const PointIndex& part_;

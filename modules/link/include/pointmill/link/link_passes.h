@@ -24,7 +24,7 @@ namespace pointmill {
 ///   them is proven clear of the part and (almost) of stock; otherwise over the
 ///   clearance plane.
 /// - Descending feed moves are slowed so that the tool never goes down faster than its
-///   plunge feed.
+///   plunge feed, except through what the nominal stock proves to be air.
 ///
 /// - Where a move takes more than a tenth of the diameter squared as cross-section, its
 ///   feed falls in proportion.
@@ -52,6 +52,12 @@ public:
   double getStayDown() const { return stay_down_; }
   /// @brief The stock, an upper bound; it is cut along the path.
   void setStock(std::shared_ptr<StockField> stock) { stock_ = std::move(stock); }
+  /// @brief The same stock with nominal heights, cut along too: it tells how much each
+  /// move takes, for its feed. Without it feeds do not fall in heavy cuts.
+  void setNominalStock(std::shared_ptr<StockField> stock)
+  {
+    nominal_ = std::move(stock);
+  }
   /// @brief The part, for links that stay down; without it there are none.
   void setPart(std::shared_ptr<const PointIndex> part, double allowance, double floor)
   {
@@ -94,7 +100,7 @@ private:
   Cutting cutting_;
   double clearance_ = std::numeric_limits<double>::quiet_NaN();
   double approach_ = 1.0, ramp_angle_ = 3.0, stay_down_ = 0.0;
-  std::shared_ptr<StockField> stock_;
+  std::shared_ptr<StockField> stock_, nominal_;
   std::shared_ptr<const PointIndex> part_;
   double allowance_ = 0.0, floor_ = -std::numeric_limits<double>::infinity();
 };

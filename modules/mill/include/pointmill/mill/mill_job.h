@@ -119,7 +119,7 @@ private:
   std::shared_ptr<const PointIndex> bridges_; // over its gaps
   std::shared_ptr<const PointIndex> surface_; // both
   Stock stock_;
-  std::shared_ptr<StockField> standing_;
+  std::shared_ptr<StockField> standing_, nominal_;
   double floor_ = 0, bridged_area_ = 0;
   std::vector<PlannedOperation> operations_;
   std::string program_;
