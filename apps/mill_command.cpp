@@ -11,8 +11,9 @@
 #include <csignal>
 #include <filesystem>
 #include <iostream>
-#include <map>
 #include <unistd.h>
+#include <utility>
+#include <vector>
 
 using namespace pointmill;
 
@@ -46,6 +47,32 @@ void declareTool(CLI::App& app,
   add("-spindle", job.cutting.spindle, "RPM", "spindle speed");
   add("-feed", job.cutting.feed, "MM/MIN", "feed along the path");
   add("-plunge-feed", job.cutting.plunge_feed, "MM/MIN", "fastest feed downwards");
+}
+
+/// An option that takes one of a few names.
+template <typename Value>
+CLI::Option* choice(CLI::App& app,
+                    const std::string& name,
+                    Value& value,
+                    const std::vector<std::pair<std::string, Value>>& choices,
+                    const std::string& help)
+{
+  std::string names;
+  for (const auto& c : choices)
+    names += (names.empty() ? "" : "|") + c.first;
+  return app
+      .add_option_function<std::string>(
+          name,
+          [=, &value](const std::string& given) {
+            for (const auto& c : choices)
+              if (c.first == given) {
+                value = c.second;
+                return;
+              }
+            throw CLI::ValidationError(name, "must be " + names + ", not " + given);
+          },
+          help)
+      ->type_name(names);
 }
 
 volatile std::sig_atomic_t interrupted = 0;
@@ -84,12 +111,12 @@ CLI::App* declareMill(CLI::App& app, MillCommand& command)
       ->type_name("DIR");
   mill->add_flag("-q,--quiet", command.quiet, "print nothing but errors");
 
-  const std::map<std::string, double> units{
-      {"mm", 1}, {"cm", 10}, {"m", 1000}, {"inch", 25.4}};
   CLI::Option* units_option =
-      mill->add_option("--units", o.mm_per_unit, "the scan's units")
-          ->transform(CLI::CheckedTransformer(units))
-          ->type_name("mm|cm|m|inch")
+      choice(*mill,
+             "--units",
+             o.mm_per_unit,
+             {{"mm", 1.0}, {"cm", 10.0}, {"m", 1000.0}, {"inch", 25.4}},
+             "the scan's units")
           ->default_str("mm")
           ->group("Scan");
   mill->add_option(
@@ -100,48 +127,47 @@ CLI::App* declareMill(CLI::App& app, MillCommand& command)
   mill->add_option("--fit", o.fit, "scale so that the largest extent is this")
       ->type_name("MM")
       ->group("Scan");
-  const std::map<std::string, Up> ups{{"x", Up::X},
-                                      {"-x", Up::MinusX},
-                                      {"y", Up::Y},
-                                      {"-y", Up::MinusY},
-                                      {"z", Up::Z},
-                                      {"-z", Up::MinusZ},
-                                      {"plane", Up::Plane},
-                                      {"pca", Up::Pca}};
-  mill->add_option(
-          "--up", o.up, "direction of the scan that the tool comes from (--up=-z)")
-      ->transform(CLI::CheckedTransformer(ups))
-      ->type_name("x|-x|y|-y|z|-z|plane|pca")
+  choice(*mill,
+         "--up",
+         o.up,
+         {{"x", Up::X},
+          {"-x", Up::MinusX},
+          {"y", Up::Y},
+          {"-y", Up::MinusY},
+          {"z", Up::Z},
+          {"-z", Up::MinusZ},
+          {"plane", Up::Plane},
+          {"pca", Up::Pca}},
+         "direction of the scan that the tool comes from (--up=-z)")
       ->default_str("z")
       ->group("Scan");
   mill->add_flag("--no-square", command.no_square, "do not turn the long side to X")
       ->group("Scan");
-  const std::map<std::string, DatumXY> corners{{"corner", DatumXY::Corner},
-                                               {"centre", DatumXY::Centre}};
-  mill->add_option("--datum", o.datum_xy, "X0 Y0 of the part's bounding box")
-      ->transform(CLI::CheckedTransformer(corners))
-      ->type_name("corner|centre")
+  choice(*mill,
+         "--datum",
+         o.datum_xy,
+         {{"corner", DatumXY::Corner}, {"centre", DatumXY::Centre}},
+         "X0 Y0 of the part's bounding box")
       ->default_str("corner")
       ->group("Scan");
-  const std::map<std::string, DatumZ> tops{{"top", DatumZ::Top},
-                                           {"bottom", DatumZ::Bottom}};
-  mill->add_option("--datum-z", o.datum_z, "Z0 of the part's bounding box")
-      ->transform(CLI::CheckedTransformer(tops))
-      ->type_name("top|bottom")
+  choice(*mill,
+         "--datum-z",
+         o.datum_z,
+         {{"top", DatumZ::Top}, {"bottom", DatumZ::Bottom}},
+         "Z0 of the part's bounding box")
       ->default_str("top")
       ->group("Scan");
   mill->add_flag(
           "--keep-strays", command.keep_strays, "keep points that have no company")
       ->group("Scan");
-  const std::map<std::string, GapPolicy> policies{{"bridge", GapPolicy::Bridge},
-                                                  {"keep", GapPolicy::Keep},
-                                                  {"mill", GapPolicy::Mill}};
-  mill->add_option("--gaps",
-                   o.gaps,
-                   "holes of the scan: bridged from their rim and not cut below, "
-                   "left standing, or milled like the outside")
-      ->transform(CLI::CheckedTransformer(policies))
-      ->type_name("bridge|keep|mill")
+  choice(*mill,
+         "--gaps",
+         o.gaps,
+         {{"bridge", GapPolicy::Bridge},
+          {"keep", GapPolicy::Keep},
+          {"mill", GapPolicy::Mill}},
+         "holes of the scan: bridged from their rim and not cut below, "
+         "left standing, or milled like the outside")
       ->default_str("bridge")
       ->group("Scan");
   mill->add_option("--seed", o.seed, "of all random sampling")
@@ -206,20 +232,20 @@ CLI::App* declareMill(CLI::App& app, MillCommand& command)
       ->group("Machine and stock");
   mill->add_flag("--no-coolant", command.no_coolant, "no M8")
       ->group("Machine and stock");
-  const std::map<std::string, RoughingStrategy> strategies{
-      {"zigzag", RoughingStrategy::ZigZag}, {"spiral", RoughingStrategy::Spiral}};
-  mill->add_option("--roughing", o.roughing, "how the roughing goes over a level")
-      ->transform(CLI::CheckedTransformer(strategies))
-      ->type_name("zigzag|spiral")
+  choice(*mill,
+         "--roughing",
+         o.roughing,
+         {{"zigzag", RoughingStrategy::ZigZag}, {"spiral", RoughingStrategy::Spiral}},
+         "how the roughing goes over a level")
       ->default_str("zigzag")
       ->group("Operations");
   add("--step-down", o.step_down, "MM", "of the roughing; 0: 0.3 d / 4", "Operations");
   add("--step-over", o.step_over, "MM", "of the roughing; 0: 0.4 d", "Operations");
-  const std::map<std::string, RasterDirection> rasters{{"x", RasterDirection::AlongX},
-                                                       {"y", RasterDirection::AlongY}};
-  mill->add_option("--raster", o.raster, "the finishing lines run along")
-      ->transform(CLI::CheckedTransformer(rasters))
-      ->type_name("x|y")
+  choice(*mill,
+         "--raster",
+         o.raster,
+         {{"x", RasterDirection::AlongX}, {"y", RasterDirection::AlongY}},
+         "the finishing lines run along")
       ->default_str("x")
       ->group("Operations");
   add("--steep",
