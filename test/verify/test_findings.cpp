@@ -264,3 +264,56 @@ TEST_F(Findings, TwoToolsOfOneNumberAreRefused)
   verifier.setTools({Tool::flat(1, 6), Tool::ball(1, 4)});
   EXPECT_THROW(verifier.verify(rows(-2).end()), ParameterError);
 }
+
+TEST_F(Findings, ACutIntoAProtectedPlaceIsOne)
+{
+  Cloud bridge;
+  bridge.push_back(pcl::PointXYZ(15, 10, -1.5f)); // over a gap, higher than the plate
+  verifier.setProtected(indexOf(bridge));
+  const auto result = verifier.verify(rows(-2).end());
+  const auto* gap = find(result, "gap");
+  ASSERT_NE(gap, nullptr) << codes(result);
+  EXPECT_NEAR(gap->worst, 0.5, 1e-5);
+  EXPECT_EQ(result.gouged_points, 0u);
+}
+
+TEST_F(Findings, FeedWithoutTheToolsLengthIsOne)
+{
+  Text text;
+  text("G49")("G53 G0 Z0.").over(-5, 0).feed(-5, 0, -2);
+  EXPECT_NE(find(verifier.verify(text.end()), "length_offset"), nullptr);
+}
+
+TEST_F(Findings, MoreRoundingOfCornersThanAllowedIsOne)
+{
+  verifier.setBlendLimit(0.01);
+  const auto with = [&](const char* mode) {
+    Text text;
+    text(mode).over(-5, 0).feed(-5, 0, -2).feed(35, 0, -2);
+    return find(verifier.verify(text.end()), "blend") != nullptr;
+  };
+  EXPECT_TRUE(with("G64"));
+  EXPECT_TRUE(with("G64 P0.05"));
+  EXPECT_TRUE(with("(no word on it)"));
+  EXPECT_FALSE(with("G64 P0.01 Q0."));
+  EXPECT_FALSE(with("G61"));
+}
+
+TEST_F(Findings, FeedBelowTheStockIsOne)
+{
+  Text text;
+  text.over(-5, 0).feed(-5, 0, -2).feed(-5, 0, -3.5);
+  const auto result = verifier.verify(text.end());
+  const auto* below = find(result, "below_stock");
+  ASSERT_NE(below, nullptr) << codes(result);
+  EXPECT_EQ(below->line, text.lines());
+}
+
+TEST_F(Findings, WhatLiesUnderTheFloorIsNotLeftOver)
+{
+  EXPECT_NE(find(verifier.verify(rows(-1.5).end()), "residual"), nullptr);
+  verifier.setFloor(-1.5);
+  const auto result = verifier.verify(rows(-1.5).end());
+  EXPECT_TRUE(result.good()) << codes(result);
+  EXPECT_NEAR(result.residual.max, 0, 1e-5);
+}

@@ -403,6 +403,7 @@ void MillJob::verify()
                                     options_.finish.tool.radius()});
   verifier.setCellSize(
       std::min(std::max(0.25, std::sqrt(size.x() * size.y() / 4e6)), thinnest / 2));
+  verifier.setFloor(floor_);
   verifier.setProtected(bridges_);
   verifier.setBlendLimit(ErrorBudget::of(options_.tolerance).blend + 1e-9);
   verifier.setNumberOfThreads(options_.threads);

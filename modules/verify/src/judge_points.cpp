@@ -39,8 +39,8 @@ Quantiles quantiles(std::vector<float>& values)
 /// from that the lowest surface over a place.
 class Envelope {
 public:
-  Envelope(const PointIndex& part, const Tool& tool, unsigned threads)
-      : part_(part), tool_(tool), cell_(tool.radius() / 8),
+  Envelope(const PointIndex& part, const Tool& tool, double floor, unsigned threads)
+      : part_(part), tool_(tool), floor_(floor), cell_(tool.radius() / 8),
         x0_(part.min().x() - tool.radius()), y0_(part.min().y() - tool.radius())
   {
     const Eigen::Vector3d size = part.max() - part.min();
@@ -49,8 +49,8 @@ public:
     tip_.resize(static_cast<std::size_t>(columns_) * rows_);
     parallelFor(static_cast<std::size_t>(rows_), threads, [&](std::size_t row) {
       for (int c = 0; c < columns_; ++c)
-        tip_[row * columns_ + c] = static_cast<float>(std::max(
-            part.min().z(), part.drop(tool_, x0_ + c * cell_, y0_ + row * cell_).tip));
+        tip_[row * columns_ + c] = static_cast<float>(
+            std::max(floor_, part.drop(tool_, x0_ + c * cell_, y0_ + row * cell_).tip));
     });
     const int n = static_cast<int>(std::ceil(tool.radius() / cell_)) + 1;
     reach_ = n;
@@ -86,7 +86,7 @@ public:
         const double d = std::hypot(tx - p.x(), ty - p.y());
         if (d > tool_.radius())
           continue;
-        const double tip = std::max(part_.min().z(), part_.drop(tool_, tx, ty).tip);
+        const double tip = std::max(floor_, part_.drop(tool_, tx, ty).tip);
         const double h = tip + tool_.profile(d);
         if (h < best) {
           best = h;
@@ -106,7 +106,7 @@ private:
 
   const PointIndex& part_;
   Tool tool_;
-  double cell_, x0_, y0_;
+  double floor_, cell_, x0_, y0_;
   int columns_ = 0, rows_ = 0, reach_ = 0;
   std::vector<float> tip_;
 };
@@ -177,6 +177,7 @@ Gouges sweepPoints(const PointIndex& part,
 void judgePoints(const PointIndex& part,
                  const std::vector<SweptMove>& moves,
                  double tolerance,
+                 double floor,
                  unsigned threads,
                  Verification& result)
 {
@@ -194,7 +195,7 @@ void judgePoints(const PointIndex& part,
       last = m.tool;
   if (!last)
     return;
-  const Envelope envelope(part, *last, threads);
+  const Envelope envelope(part, *last, std::max(part.min().z(), floor), threads);
   std::vector<float> residual(part.size()), deviation(part.size());
   std::vector<unsigned char> reachable(part.size());
   parallelFor(static_cast<std::size_t>(part.rows()), threads, [&](std::size_t row) {

@@ -59,10 +59,12 @@ Gouges sweepPoints(const PointIndex& points,
                    unsigned threads,
                    std::vector<float>& height);
 
-/// @brief Gouges, residuals and deviations at the points.
+/// @brief Gouges, residuals and deviations at the points. A perfect pass, too, goes no
+/// lower than @p floor.
 void judgePoints(const PointIndex& part,
                  const std::vector<SweptMove>& moves,
                  double tolerance,
+                 double floor,
                  unsigned threads,
                  Verification& result);
 

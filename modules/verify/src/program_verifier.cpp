@@ -35,7 +35,7 @@ Verification ProgramVerifier::verify(const Program& program) const
 
   Verification result;
   const auto moves = collectMoves(program, tools_, stock_, result);
-  judgePoints(*part_, moves, tolerance_, threads_, result);
+  judgePoints(*part_, moves, tolerance_, floor_, threads_, result);
   if (protected_) {
     std::vector<float> height;
     const Gouges gouges = sweepPoints(*protected_, moves, tolerance_, threads_, height);

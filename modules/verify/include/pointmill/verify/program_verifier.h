@@ -88,6 +88,8 @@ public:
   void setTolerance(double tolerance) { tolerance_ = tolerance; }
   /// @brief Refuse a program that leaves more than this over half of the points [mm].
   void setResidualLimit(double limit) { residual_limit_ = limit; }
+  /// @brief No tip is meant to go below this [mm]: what lies under it is not left over.
+  void setFloor(double floor) { floor_ = floor; }
   /// @brief Edge of a stock cell [mm].
   void setCellSize(double cell) { cell_ = cell; }
   void setNumberOfThreads(unsigned threads) { threads_ = threads; }
@@ -114,6 +116,7 @@ private:
   Stock stock_;
   std::vector<Tool> tools_;
   double tolerance_ = 0.02, residual_limit_ = 1e4, cell_ = 0.25;
+  double floor_ = -std::numeric_limits<double>::infinity();
   double blend_limit_ = std::numeric_limits<double>::infinity();
   unsigned threads_ = 0;
 };
