@@ -53,6 +53,14 @@ void MillJob::timed(const std::string& stage,
   seconds_.emplace_back(stage, took.count());
 }
 
+double MillJob::gapArea() const
+{
+  double area = 0;
+  for (const auto& gap : gaps_)
+    area += gap.area;
+  return area;
+}
+
 double MillJob::sinkBetweenPoints() const
 {
   const double r = options_.finish.tool.radius();

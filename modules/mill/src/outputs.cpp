@@ -90,15 +90,12 @@ PreviewScene sceneOf(const MillJob& job, const std::string& title)
                                 &planned.operation.path,
                                 planned.colour});
   const Verification& v = job.verification();
-  double gap_area = 0;
-  for (const auto& gap : job.gaps())
-    gap_area += gap.area;
   const double worst = std::max(v.deviation.p95, 0.0);
   scene.figures = {text("%.0f minutes of milling", job.minutes()),
                    text("deepest gouge %.4f mm", v.gouge),
                    text("95 %% of what the tool reaches within +%.3f mm", worst),
                    std::to_string(v.rapids_in_stock) + " rapids through stock",
-                   text("not scanned, protected: %.0f mm2", gap_area) +
+                   text("not scanned, protected: %.0f mm2", job.gapArea()) +
                        text(" and %.0f mm2 between points", job.bridgedArea()),
                    text("out of reach or covered: %.1f %% of the points",
                         100.0 * static_cast<double>(v.unreachable_points) /

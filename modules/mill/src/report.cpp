@@ -62,9 +62,7 @@ Json scanJson(const MillJob& job, const std::string& name)
 Json gapsJson(const MillJob& job)
 {
   Json list = Json::array();
-  double area = 0;
   for (const auto& gap : job.gaps()) {
-    area += gap.area;
     if (list.size() < 100) // the largest come first
       list.push_back({{"area_mm2", gap.area},
                       {"centre", {gap.centre.x(), gap.centre.y()}},
@@ -77,7 +75,7 @@ Json gapsJson(const MillJob& job)
            : policy == GapPolicy::Keep ? "keep"
                                        : "mill"},
           {"count", job.gaps().size()},
-          {"area_mm2", area},
+          {"area_mm2", job.gapArea()},
           {"bridged_between_points_mm2", job.bridgedArea()},
           {"largest", list}};
 }

@@ -111,14 +111,11 @@ std::string summaryOf(const MillJob& job, const std::string& directory)
   text +=
       print("not cut    %.1f %% of the points: out of reach, or covered by others\n",
             percent(v.unreachable_points, v.points));
-  double gaps = 0;
-  for (const auto& gap : job.gaps())
-    gaps += gap.area;
   text +=
       print("not seen   %zu gaps of the scan, %.1f mm2, and %.1f mm2 between points: "
             "%s\n",
             job.gaps().size(),
-            gaps,
+            job.gapArea(),
             job.bridgedArea(),
             job.options().gaps == GapPolicy::Mill ? "gaps are milled"
                                                   : "bridged and protected");

@@ -20,8 +20,7 @@ struct Offset {
 };
 
 /// Footprint of a cutter over a grid of `cell` mm whose profile is `height(dx, dy)`,
-/// infinite outside. `distance(d)` turns the distance between two cells' centres into
-/// the one that counts.
+/// infinite outside.
 template <typename Height>
 std::vector<Offset> footprint(double reach, double cell, Height&& height)
 {
@@ -36,8 +35,7 @@ std::vector<Offset> footprint(double reach, double cell, Height&& height)
   return offsets;
 }
 
-/// out(cell) = max over the offsets of in(cell + offset) - height. With `lower` the
-/// dual: min over the offsets of in(cell + offset) + height.
+/// out(cell) = max over the offsets of in(cell + offset) - height.
 std::vector<float> filterMax(const CellGrid& grid,
                              const std::vector<float>& in,
                              const std::vector<Offset>& offsets,

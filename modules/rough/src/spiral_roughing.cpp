@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the PointMill authors
 #include "border.h"
+#include "stretches.h"
 
 #include <algorithm>
 #include <unordered_map>
@@ -79,26 +80,16 @@ void keepNeeded(const LevelMap& map,
                 int gap,
                 std::vector<Chain>& chains)
 {
-  int last = -1, first = -1;
-  const auto flush = [&] {
-    if (first < 0)
-      return;
-    const int begin = std::max(0, first - 1);
-    const int end = std::min(static_cast<int>(path.size()) - 1, last + 1);
-    chains.emplace_back(path.begin() + begin, path.begin() + end + 1);
-  };
-  for (int i = 0; i < static_cast<int>(path.size()); ++i) {
-    if (!map.isNeeded(path[i], z))
-      continue;
-    if (first >= 0 && i - last > gap) {
-      flush();
-      first = -1;
-    }
-    if (first < 0)
-      first = i;
-    last = i;
-  }
-  flush();
+  const int size = static_cast<int>(path.size());
+  neededStretches(
+      0,
+      size,
+      gap,
+      [&](int i) { return map.isNeeded(path[i], z); },
+      [&](int first, int last) { // with a node more at each end
+        chains.emplace_back(path.begin() + std::max(0, first - 1),
+                            path.begin() + std::min(size - 1, last + 1) + 1);
+      });
 }
 
 /// Joins two chains whose ends the tool can get between on the level, along X, then Y.

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the PointMill authors
+#include "stretches.h"
+
 #include <pointmill/rough/level_roughing.h>
 
 #include <algorithm>
@@ -30,29 +32,21 @@ void findSpans(
     while (c < columns && map.isFree({c, row}, z))
       ++c;
     const int free_last = c - 1;
-    int first = -1, last = -1;
-    const auto flush = [&] {
-      if (first < 0)
-        return;
-      // one node more at each end, into the open where there is room
-      spans.push_back({row,
-                       free_first,
-                       free_last,
-                       std::max(free_first, first - 1),
-                       std::min(free_last, last + 1)});
-    };
-    for (int i = free_first; i <= free_last; ++i) {
-      if (!map.isNeeded({i, row}, z))
-        continue;
-      if (first >= 0 && i - last > gap) {
-        flush();
-        first = -1;
-      }
-      if (first < 0)
-        first = i;
-      last = i;
-    }
-    flush();
+    neededStretches(
+        free_first,
+        free_last + 1,
+        gap,
+        [&](int i) {
+          return map.isNeeded({i, row}, z);
+        },
+        [&](int first, int last) {
+          // one node more at each end, into the open where there is room
+          spans.push_back({row,
+                           free_first,
+                           free_last,
+                           std::max(free_first, first - 1),
+                           std::min(free_last, last + 1)});
+        });
   }
 }
 

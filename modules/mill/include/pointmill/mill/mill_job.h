@@ -81,6 +81,8 @@ public:
   double clearancePlane() const { return stock_.top() + options_.clearance; }
   double floor() const { return floor_; }
   double minutes() const;
+  /// @brief Area of all gaps [mm2].
+  double gapArea() const;
   /// @brief Area inside the outline that lies between points and was bridged [mm2].
   double bridgedArea() const { return bridged_area_; }
   /// @brief How far the last tool's tip sinks between points on a flat, at the 99 %

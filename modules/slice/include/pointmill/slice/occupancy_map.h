@@ -3,7 +3,6 @@
 #pragma once
 
 #include <pointmill/common/stage.h>
-#include <pointmill/slice/distance_field.h>
 #include <pointmill/slice/gaps.h>
 
 #include <vector>
