@@ -144,7 +144,7 @@ TEST_F(RasterLines, AreTheSameForAnyNumberOfThreads)
 TEST_F(RasterLines, OverAnIndexAreThoseOverItsPoints)
 {
   const std::string own = bytes(raster(stage, cloud));
-  stage.setIndex(indexOf(*cloud));
+  stage.setModel(std::make_shared<pointmill::SurfaceModel>(indexOf(*cloud)));
   EXPECT_EQ(bytes(raster(stage, cloud)), own);
 }
 

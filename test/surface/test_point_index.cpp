@@ -140,7 +140,7 @@ TEST(PointIndex, TheContactNormalOfABallPointsToItsCentre)
   const PointIndex index = one.index();
   const Tool ball = Tool::ball(1, 4.0);
   const auto contact = index.drop(ball, 1.0, 0.0);
-  const Vector3d n = index.contactNormal(ball, 1.0, 0.0, contact);
+  const Vector3d n = pointmill::contactNormal(ball, 1.0, 0.0, contact);
   EXPECT_NEAR(n.x(), 0.5, 1e-12);
   EXPECT_NEAR(n.z(), std::sqrt(0.75), 1e-12);
 }

@@ -11,14 +11,14 @@ using Eigen::Vector3d;
 
 double ChordRefiner::lowest(double x, double y) const
 {
-  return std::max(floor_, index_.drop(grown_, x, y).tip + allowance_);
+  return std::max(floor_, surface_.drop(grown_, x, y).tip + allowance_);
 }
 
 // Every point near the chord is tried: a leap between two harmless ends does not hide.
 bool ChordRefiner::cutsIn(const Vector3d& a, const Vector3d& b) const
 {
   const Vector3d down(0, 0, allowance_);
-  return index_.gouge(grown_, a - down, b - down, tolerance_) > 0;
+  return surface_.points().gouge(grown_, a - down, b - down, tolerance_) > 0;
 }
 
 bool ChordRefiner::staysHigh(const Vector3d& a, const Vector3d& b) const
@@ -39,7 +39,7 @@ void ChordRefiner::leap(const Vector3d& a,
                         std::vector<Vector3d>& path)
 {
   const double clear =
-      index_.dropAlong(grown_, a.x(), a.y(), b.x(), b.y()) + allowance_;
+      surface_.points().dropAlong(grown_, a.x(), a.y(), b.x(), b.y()) + allowance_;
   const double z = std::max({a.z(), b.z(), clear});
   if (z > a.z())
     path.emplace_back(a.x(), a.y(), z);

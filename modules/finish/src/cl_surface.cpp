@@ -49,12 +49,12 @@ std::vector<CLCloud> steepParts(const CLCloud& pass, double slope)
 
 } // namespace
 
-CLCloud Raster::over(const PointIndex& index) const
+CLCloud Raster::over(const SurfaceModel& surface) const
 {
   const Tool grown = tool.grown(allowance);
   const bool along_x = direction == RasterDirection::AlongX;
   const double reach = grown.radius();
-  const Eigen::Vector3d low = index.min(), high = index.max();
+  const Eigen::Vector3d low = surface.points().min(), high = surface.points().max();
   const Places lines = along_x ? Places(low.y(), high.y(), step_over)
                                : Places(low.x(), high.x(), step_over);
   const Places steps = along_x
@@ -68,7 +68,7 @@ CLCloud Raster::over(const PointIndex& index) const
     for (std::size_t i = 0; i < steps.count; ++i) {
       const double along = steps[line % 2 ? steps.count - 1 - i : i];
       const double x = along_x ? along : lines[line], y = along_x ? lines[line] : along;
-      const Contact contact = index.drop(grown, x, y);
+      const Contact contact = surface.drop(grown, x, y);
       if (!contact.touches()) {
         open = false;
         continue;
@@ -78,7 +78,7 @@ CLCloud Raster::over(const PointIndex& index) const
         open = true;
       }
       PointCL p(x, y, std::max(contact.tip + allowance, floor));
-      const Eigen::Vector3d n = index.contactNormal(grown, x, y, contact);
+      const Eigen::Vector3d n = contactNormal(grown, x, y, contact);
       p.normal_x = static_cast<float>(n.x());
       p.normal_y = static_cast<float>(n.y());
       p.normal_z = static_cast<float>(n.z());

@@ -181,6 +181,8 @@ void MillJob::makeMap()
           makePointIndex(bridges, pcl::Indices(), bridges));
     }
 
+    model_ = std::make_shared<SurfaceModel>(surface_);
+
     const double margin = options_.stock_margin;
     floor_ = std::isnan(options_.floor) ? points_->min().z() : options_.floor;
     bridged_area_ = occupancy.getReport().get("between_points_mm2");
@@ -279,11 +281,11 @@ CLCloud MillJob::rasterPasses(const ToolJob& job,
   raster.setFloor(floor_);
   raster.setDirection(direction);
   raster.setMinSlope(min_slope);
-  raster.setIndex(surface_);
+  raster.setModel(model_);
   raster.setNumberOfThreads(options_.threads);
 
   BufferPoints<pcl::PointXYZ> buffer;
-  buffer.setIndex(surface_);
+  buffer.setModel(model_);
   buffer.setTool(job.tool);
   buffer.setAllowance(job.allowance);
   buffer.setFloor(floor_);

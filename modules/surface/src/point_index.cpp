@@ -142,7 +142,21 @@ Contact PointIndex::drop(const Tool& tool, double x, double y) const
           }
         }
       });
+  if (best.touches())
+    best.at = point(static_cast<std::size_t>(best.point));
   return best;
+}
+
+void PointIndex::dropRow(const Tool& tool,
+                         const Eigen::Vector2d& from,
+                         const Eigen::Vector2d& step,
+                         std::size_t count,
+                         Contact* contacts) const
+{
+  for (std::size_t i = 0; i < count; ++i) {
+    const Eigen::Vector2d at = from + static_cast<double>(i) * step;
+    contacts[i] = drop(tool, at.x(), at.y());
+  }
 }
 
 double PointIndex::dropAlong(
@@ -189,23 +203,6 @@ double PointIndex::gouge(const Tool& tool,
              worst = std::max(worst, penetration(tool, a, b, point(i)));
        });
   return worst > tolerance ? worst : 0.0;
-}
-
-Eigen::Vector3d PointIndex::contactNormal(const Tool& tool,
-                                          double x,
-                                          double y,
-                                          const Contact& contact) const
-{
-  if (!contact.touches() || tool.isFlat())
-    return Eigen::Vector3d::UnitZ();
-  const Eigen::Vector3d p = point(static_cast<std::size_t>(contact.point));
-  Eigen::Vector2d inward(x - p.x(), y - p.y());
-  const double d = inward.norm(), u = d - (tool.radius() - tool.corner_radius);
-  if (u <= 0)
-    return Eigen::Vector3d::UnitZ();
-  inward *= u / d / tool.corner_radius;
-  const double up = std::sqrt(std::max(0.0, 1.0 - inward.squaredNorm()));
-  return {inward.x(), inward.y(), up};
 }
 
 } // namespace pointmill

@@ -16,7 +16,7 @@ namespace pointmill {
 /// down on the free side. CL points that stand too low are raised first.
 ///
 /// Chords join consecutive points of one pass (`label`). `PointT` is the type of the
-/// part's points, which come by setSurface() or, indexed, by setIndex().
+/// part's points, which come by setSurface() or as a model by setModel().
 template <typename PointT>
 class BufferPoints : public Filter<PointCL> {
 public:
@@ -26,10 +26,13 @@ public:
   void setSurface(const typename pcl::PointCloud<PointT>::ConstPtr& surface)
   {
     surface_ = surface;
-    index_.reset();
+    model_.reset();
   }
-  /// @brief An index of the part's points that is already there.
-  void setIndex(std::shared_ptr<const PointIndex> index) { index_ = std::move(index); }
+  /// @brief A model of the part's surface that is already there.
+  void setModel(std::shared_ptr<const SurfaceModel> model)
+  {
+    model_ = std::move(model);
+  }
   void setTool(const Tool& tool) { tool_ = tool; }
   void setAllowance(double allowance) { allowance_ = allowance; }
   void setFloor(double floor) { floor_ = floor; }
@@ -54,14 +57,14 @@ protected:
   {
     validateParameters(*this, getName());
     tool_.validate();
-    if (!index_ && !surface_)
+    if (!model_ && !surface_)
       throw DataError("BufferPoints: the part's points were not given (setSurface)");
   }
   void apply(CLCloud& output) override;
 
 private:
   typename pcl::PointCloud<PointT>::ConstPtr surface_;
-  std::shared_ptr<const PointIndex> index_;
+  std::shared_ptr<const SurfaceModel> model_;
   Tool tool_ = Tool::ball(1, 3.0);
   double allowance_ = 0.0, floor_ = -std::numeric_limits<double>::infinity();
   double tolerance_ = 0.01, shortest_ = 0.02;

@@ -2,7 +2,7 @@
 // Copyright (c) 2026, the PointMill authors
 #pragma once
 
-#include <pointmill/surface/point_index.h>
+#include <pointmill/surface/surface_model.h>
 
 #include <Eigen/Core>
 
@@ -21,13 +21,13 @@ public:
   ///        the true curve along its normal [mm]
   /// @param shortest chords are not split below this length in XY [mm]; a leap of the
   ///        curve is passed by a vertical move on its free side
-  ChordRefiner(const PointIndex& index,
+  ChordRefiner(const SurfaceModel& surface,
                const Tool& tool,
                double allowance,
                double floor,
                double tolerance,
                double shortest)
-      : index_(index), grown_(tool.grown(allowance)), allowance_(allowance),
+      : surface_(surface), grown_(tool.grown(allowance)), allowance_(allowance),
         floor_(floor), tolerance_(tolerance), shortest_(shortest)
   {
   }
@@ -51,7 +51,7 @@ private:
             const Eigen::Vector3d& b,
             std::vector<Eigen::Vector3d>& path);
 
-  const PointIndex& index_;
+  const SurfaceModel& surface_;
   Tool grown_;
   double allowance_, floor_, tolerance_, shortest_;
   std::size_t leaps_ = 0;

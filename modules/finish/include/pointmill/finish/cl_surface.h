@@ -3,7 +3,7 @@
 #pragma once
 
 #include <pointmill/common/stage.h>
-#include <pointmill/surface/point_index.h>
+#include <pointmill/surface/surface_model.h>
 
 #include <cmath>
 #include <memory>
@@ -56,9 +56,12 @@ public:
   /// first one's lines lie far apart on the surface.
   void setMinSlope(double degrees) { min_slope_ = degrees; }
   double getMinSlope() const { return min_slope_; }
-  /// @brief An index of the same points (and of what bridges their gaps), so that
-  /// several stages share it. By default the stage makes one of its input.
-  void setIndex(std::shared_ptr<const PointIndex> index) { index_ = std::move(index); }
+  /// @brief A model of the same points (and of what bridges their gaps), so that
+  /// several stages share it. By default the stage takes its input's bare points.
+  void setModel(std::shared_ptr<const SurfaceModel> model)
+  {
+    model_ = std::move(model);
+  }
   void setNumberOfThreads(unsigned threads) { threads_ = threads; }
 
   template <typename V>
@@ -91,18 +94,18 @@ private:
   double step_over_ = 0.35, forward_step_ = 0.5, allowance_ = 0.0, min_slope_ = 0.0;
   double floor_ = -std::numeric_limits<double>::infinity();
   RasterDirection direction_ = RasterDirection::AlongX;
-  std::shared_ptr<const PointIndex> index_;
+  std::shared_ptr<const SurfaceModel> model_;
   unsigned threads_ = 0;
 };
 
-/// @brief The raster itself, on numbers: what CLSurface does once it has an index.
+/// @brief The raster itself, on numbers: what CLSurface does once it has a model.
 struct Raster {
   Tool tool;
   double step_over, forward_step, allowance, floor, min_slope;
   RasterDirection direction;
   unsigned threads;
 
-  CLCloud over(const PointIndex& index) const;
+  CLCloud over(const SurfaceModel& surface) const;
 };
 
 } // namespace pointmill

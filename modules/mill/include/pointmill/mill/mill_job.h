@@ -120,6 +120,7 @@ private:
   std::shared_ptr<const PointIndex> points_;  // the part's own points
   std::shared_ptr<const PointIndex> bridges_; // over its gaps
   std::shared_ptr<const PointIndex> surface_; // both
+  std::shared_ptr<const SurfaceModel> model_;
   Stock stock_;
   std::shared_ptr<StockField> standing_, nominal_;
   double floor_ = 0, bridged_area_ = 0;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <pointmill/common/tool.h>
+#include <pointmill/surface/contact.h>
 
 #include <pcl/point_cloud.h>
 #include <pcl/types.h>
@@ -15,15 +16,6 @@
 #include <vector>
 
 namespace pointmill {
-
-/// @brief Where a cutter comes to rest on points.
-struct Contact {
-  double tip = -std::numeric_limits<double>::infinity(); ///< height of the tip [mm]
-  std::int64_t point =
-      -1; ///< position in the index of the point that it rests on, or -1
-
-  bool touches() const { return point >= 0; }
-};
 
 /// @brief The points of a part sorted into square XY cells, and the questions that
 /// every tool path asks of them. All answers are exact with respect to the points:
@@ -44,6 +36,14 @@ public:
   /// @brief Drops @p tool at (x, y) until it rests on a point.
   Contact drop(const Tool& tool, double x, double y) const;
 
+  /// @brief Drops @p tool at `count` places in a row, `from + i * step`; the same
+  /// answers as drop(), sooner.
+  void dropRow(const Tool& tool,
+               const Eigen::Vector2d& from,
+               const Eigen::Vector2d& step,
+               std::size_t count,
+               Contact* contacts) const;
+
   /// @brief The lowest height at which @p tool can move level from (ax, ay) to (bx, by)
   /// without entering a point; -infinity where it meets none.
   double dropAlong(const Tool& tool, double ax, double ay, double bx, double by) const;
@@ -54,11 +54,6 @@ public:
                const Eigen::Vector3d& a,
                const Eigen::Vector3d& b,
                double tolerance) const;
-
-  /// @brief Unit normal of @p tool's surface, pointing to the tool's inside, where it
-  /// rests on @p contact at (x, y); up where it rests on nothing.
-  Eigen::Vector3d
-  contactNormal(const Tool& tool, double x, double y, const Contact& contact) const;
 
   // The cells, for those who walk over all points.
   double cellSize() const { return cell_; }

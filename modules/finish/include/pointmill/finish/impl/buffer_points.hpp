@@ -13,13 +13,13 @@ namespace pointmill {
 template <typename PointT>
 void BufferPoints<PointT>::apply(CLCloud& output)
 {
-  auto index = index_;
-  if (!index) {
+  auto model = model_;
+  if (!model) {
     pcl::Indices all(surface_->size());
     for (std::size_t i = 0; i < all.size(); ++i)
       all[i] = static_cast<pcl::index_t>(i);
-    index = std::make_shared<PointIndex>(
-        makePointIndex(*surface_, all, pcl::PointCloud<pcl::PointXYZ>()));
+    model = std::make_shared<SurfaceModel>(std::make_shared<PointIndex>(
+        makePointIndex(*surface_, all, pcl::PointCloud<pcl::PointXYZ>())));
   }
   const double floor =
       std::isfinite(floor_) ? floor_ : -std::numeric_limits<double>::infinity();
@@ -44,7 +44,7 @@ void BufferPoints<PointT>::apply(CLCloud& output)
   };
   std::vector<Refined> passes(begin.size() - 1);
   parallelFor(passes.size(), threads_, [&](std::size_t k) {
-    ChordRefiner refiner(*index, tool_, allowance_, floor, tolerance_, shortest_);
+    ChordRefiner refiner(*model, tool_, allowance_, floor, tolerance_, shortest_);
     Refined& mine = passes[k];
     std::vector<Eigen::Vector3d> chord;
     Eigen::Vector3d last;
@@ -67,8 +67,8 @@ void BufferPoints<PointT>::apply(CLCloud& output)
         q.y = static_cast<float>(c.y());
         q.z = static_cast<float>(c.z());
         if (&c != &chord.back()) { // an inserted point has a contact of its own
-          const Contact contact = index->drop(grown, c.x(), c.y());
-          const Eigen::Vector3d n = index->contactNormal(grown, c.x(), c.y(), contact);
+          const Contact contact = model->drop(grown, c.x(), c.y());
+          const Eigen::Vector3d n = contactNormal(grown, c.x(), c.y(), contact);
           q.normal_x = static_cast<float>(n.x());
           q.normal_y = static_cast<float>(n.y());
           q.normal_z = static_cast<float>(n.z());

@@ -9,13 +9,13 @@ namespace pointmill {
 template <typename PointT>
 void CLSurface<PointT>::apply(CLCloud& output)
 {
-  auto index = index_;
-  if (index && this->indices_->size() != this->input_->size())
-    throw ParameterError("CLSurface: with an index of its own it takes no indices");
-  if (!index)
-    index = std::make_shared<PointIndex>(makePointIndex(
-        *this->input_, *this->indices_, pcl::PointCloud<pcl::PointXYZ>()));
-  const double floor = std::isfinite(floor_) ? floor_ : index->min().z();
+  auto model = model_;
+  if (model && this->indices_->size() != this->input_->size())
+    throw ParameterError("CLSurface: with a model of its own it takes no indices");
+  if (!model)
+    model = std::make_shared<SurfaceModel>(std::make_shared<PointIndex>(makePointIndex(
+        *this->input_, *this->indices_, pcl::PointCloud<pcl::PointXYZ>())));
+  const double floor = std::isfinite(floor_) ? floor_ : model->points().min().z();
   output = Raster{tool_,
                   step_over_,
                   forward_step_,
@@ -24,7 +24,7 @@ void CLSurface<PointT>::apply(CLCloud& output)
                   min_slope_,
                   direction_,
                   threads_}
-               .over(*index);
+               .over(*model);
   this->report_.set("cl_points", static_cast<double>(output.size()));
   this->report_.set("passes", output.empty() ? 0.0 : output.back().label + 1.0);
   this->report_.set("step_over_mm", step_over_);
