@@ -9,29 +9,72 @@ namespace pointmill {
 
 using Eigen::Vector3d;
 
-double ChordRefiner::lowest(double x, double y) const
+namespace {
+
+/// Stretches of this share of a chord are as good as nothing: a leap is in them.
+constexpr double kShortest = 1.0 / 1024;
+
+} // namespace
+
+Contact ChordRefiner::rest(double x, double y) const
 {
-  return std::max(floor_, surface_.drop(grown_, x, y).tip + allowance_);
+  Contact contact = surface_.drop(grown_, x, y);
+  contact.tip += allowance_;
+  if (!(contact.tip > floor_))
+    contact = {floor_, -1, {x, y, floor_}};
+  return contact;
 }
 
 // Every point near the chord is tried: a leap between two harmless ends does not hide.
 bool ChordRefiner::cutsIn(const Vector3d& a, const Vector3d& b) const
 {
   const Vector3d down(0, 0, allowance_);
-  return surface_.points().gouge(grown_, a - down, b - down, tolerance_) > 0;
+  return surface_.points().gouge(grown_, a - down, b - down, band_.inside) > 0;
 }
 
-bool ChordRefiner::staysHigh(const Vector3d& a, const Vector3d& b) const
+bool ChordRefiner::followsCurve(const Vector3d& a, const Vector3d& b) const
 {
   const double length = (b - a).head<2>().norm();
-  const double along_normal = length / std::hypot(length, b.z() - a.z());
-  for (const double t : {0.5, 0.25, 0.75}) {
+  const double steepness = std::hypot(length, b.z() - a.z()) / length;
+  // The band as the step error of paper 000, P_i.z - P_d.z: across the chord.
+  const double high = band_.outside * steepness, low = band_.inside * steepness;
+  const auto above = [&](double t, const Contact& contact) {
     const Vector3d p = a + t * (b - a);
-    // The step error of paper 000, P_i.z - P_d.z, across the chord.
-    if ((p.z() - lowest(p.x(), p.y())) * along_normal > tolerance_)
-      return true;
+    double curve = floor_;
+    if (contact.touches()) {
+      const double d = (contact.at - p).head<2>().norm();
+      curve = std::max(curve, contact.at.z() - grown_.profile(d) + allowance_);
+    }
+    return p.z() - curve;
+  };
+  double from = 0, to = 1; // the stretch in hand; to the right, 2^k wide ones wait
+  while (from < 1) {
+    const double middle = 0.5 * (from + to);
+    const Vector3d p = a + middle * (b - a);
+    const Contact contact = rest(p.x(), p.y());
+    const double error = p.z() - contact.tip;
+    if (error > high || error < -low)
+      return false;
+    const bool proven = above(from, contact) <= high && above(to, contact) <= high;
+    if (!proven && to - from > kShortest) {
+      to = middle;
+      continue;
+    }
+    // On to the next one: the widest that begins here and is aligned to its width.
+    double width = to - from;
+    from = to;
+    while (width < 1 && std::fmod(from, 2 * width) == 0)
+      width *= 2;
+    to = std::min(1.0, from + width);
   }
-  return false;
+  return true;
+}
+
+bool ChordRefiner::holds(const Vector3d& a, const Vector3d& b) const
+{
+  if ((b - a).head<2>().norm() <= 1e-9)
+    return true; // straight up or down between two clear places
+  return !cutsIn(a, b) && followsCurve(a, b);
 }
 
 void ChordRefiner::leap(const Vector3d& a,
@@ -54,23 +97,21 @@ void ChordRefiner::refine(const Vector3d& a,
                           std::vector<Vector3d>& path)
 {
   const double length = (b - a).head<2>().norm();
-  if (length <= 1e-9) { // straight up or down between two clear places
-    path.push_back(b);
-    return;
-  }
-  const bool cuts = cutsIn(a, b);
-  if (!cuts && (length <= shortest_ || !staysHigh(a, b))) {
-    path.push_back(b);
-    return;
-  }
   if (length <= shortest_) {
-    leap(a, b, path);
+    if (length > 1e-9 && cutsIn(a, b))
+      leap(a, b, path);
+    else
+      path.push_back(b);
     return;
   }
-  Vector3d middle = 0.5 * (a + b);
-  middle.z() = lowest(middle.x(), middle.y());
-  refine(a, middle, path);
-  refine(middle, b, path);
+  if (holds(a, b)) {
+    path.push_back(b);
+    return;
+  }
+  const Vector3d middle = 0.5 * (a + b);
+  const Vector3d between(middle.x(), middle.y(), rest(middle.x(), middle.y()).tip);
+  refine(a, between, path);
+  refine(between, b, path);
 }
 
 } // namespace pointmill

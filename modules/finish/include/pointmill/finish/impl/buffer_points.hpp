@@ -21,8 +21,7 @@ void BufferPoints<PointT>::apply(CLCloud& output)
     model = std::make_shared<SurfaceModel>(std::make_shared<PointIndex>(
         makePointIndex(*surface_, all, pcl::PointCloud<pcl::PointXYZ>())));
   }
-  const double floor =
-      std::isfinite(floor_) ? floor_ : -std::numeric_limits<double>::infinity();
+  const double floor = std::isfinite(floor_) ? floor_ : model->points().min().z();
 
   // Passes, as ranges of the indices.
   std::vector<std::size_t> begin;
@@ -44,14 +43,14 @@ void BufferPoints<PointT>::apply(CLCloud& output)
   };
   std::vector<Refined> passes(begin.size() - 1);
   parallelFor(passes.size(), threads_, [&](std::size_t k) {
-    ChordRefiner refiner(*model, tool_, allowance_, floor, tolerance_, shortest_);
+    ChordRefiner refiner(*model, tool_, allowance_, floor, band_, shortest_);
     Refined& mine = passes[k];
     std::vector<Eigen::Vector3d> chord;
     Eigen::Vector3d last;
     for (std::size_t i = begin[k]; i < begin[k + 1]; ++i) {
       const PointCL& p = (*this->input_)[ids[i]];
       Eigen::Vector3d at(p.x, p.y, p.z);
-      const double lowest = refiner.lowest(at.x(), at.y());
+      const double lowest = refiner.rest(at.x(), at.y()).tip;
       if (at.z() < lowest - 1e-5) { // float32 rounds by less
         at.z() = lowest;
         ++mine.raised;
@@ -67,7 +66,7 @@ void BufferPoints<PointT>::apply(CLCloud& output)
         q.y = static_cast<float>(c.y());
         q.z = static_cast<float>(c.z());
         if (&c != &chord.back()) { // an inserted point has a contact of its own
-          const Contact contact = model->drop(grown, c.x(), c.y());
+          const Contact contact = refiner.rest(c.x(), c.y());
           const Eigen::Vector3d n = contactNormal(grown, c.x(), c.y(), contact);
           q.normal_x = static_cast<float>(n.x());
           q.normal_y = static_cast<float>(n.y());

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the PointMill authors
+#include <pointmill/surface/patch.h>
+#include <pointmill/surface/point_smoother.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pointmill {
+namespace {
+
+/// A surface fits when its points deviate by no more than the noise, allowing for what
+/// the estimate of a few dozen points may err.
+constexpr double kFits = 1.25;
+/// Each neighbourhood that is tried has this share of the points of the one before.
+constexpr int kShrink = 3;
+constexpr int kFewest = 16;
+/// A few points further than this many deviations from a fit are not of the surface.
+constexpr double kStray = 3.0, kMostStrays = 0.1;
+constexpr int kSides = 8;
+/// A one-sided fit that takes off less than half of the variance is not worth its risk.
+constexpr double kMostVariance = 0.5;
+
+/// Marks the points that are no strays; false where that leaves too few.
+bool withoutStrays(const Neighbourhood& near,
+                   const Patch& patch,
+                   double noise,
+                   std::vector<unsigned char>& keep)
+{
+  keep.assign(near.size(), 1);
+  std::size_t strays = 0;
+  for (std::size_t i = 0; i < near.size(); ++i) {
+    const Eigen::Vector3d p(near.x[i], near.y[i], near.z[i]);
+    const double s = p.dot(patch.tangentS()), t = p.dot(patch.tangentT());
+    const double off = p.dot(patch.normal()) - patch.height(s, t);
+    if (std::abs(off) > kStray * noise) {
+      keep[i] = 0;
+      ++strays;
+    }
+  }
+  return strays > 0 && double(strays) <= kMostStrays * double(near.size());
+}
+
+Smoothed onto(const Patch& patch, Smoothed::How how, double farthest)
+{
+  const double along = patch.height(0, 0);
+  Smoothed s;
+  s.held = std::abs(along) > farthest;
+  s.place = patch.origin() + std::clamp(along, -farthest, farthest) * patch.normal();
+  s.variance = patch.variance();
+  s.how = how;
+  return s;
+}
+
+} // namespace
+
+Smoothed smoothPoint(const PointIndex& points,
+                     const Eigen::Vector3d& point,
+                     double noise,
+                     int neighbours,
+                     double farthest)
+{
+  static thread_local Neighbourhood near;
+  static thread_local std::vector<unsigned char> keep;
+  Patch patch;
+  const double fits = kFits * noise;
+  for (int wanted = neighbours; wanted >= kFewest; wanted /= kShrink) {
+    near.gather(points, point, static_cast<std::size_t>(wanted));
+    if (!patch.fit(near, near.planeNormal()))
+      break;
+    if (patch.residual() > fits && withoutStrays(near, patch, fits, keep) &&
+        !patch.fit(near, patch.normal(), &keep))
+      break;
+    if (patch.residual() <= fits && patch.variance() < 1)
+      return onto(patch, Smoothed::How::Surface, farthest);
+  }
+  // An edge: of the neighbours on one side, whichever side fits best.
+  near.gather(points, point, static_cast<std::size_t>(neighbours));
+  const Eigen::Vector3d normal = near.planeNormal();
+  Patch frame;
+  if (!frame.fit(near, normal))
+    return {point};
+  Patch best;
+  double least = fits;
+  for (int side = 0; side < kSides; ++side) {
+    const double angle = 2 * M_PI * side / kSides;
+    const Eigen::Vector3d aside =
+        std::cos(angle) * frame.tangentS() + std::sin(angle) * frame.tangentT();
+    keep.assign(near.size(), 0);
+    for (std::size_t i = 0; i < near.size(); ++i)
+      keep[i] =
+          near.x[i] * aside.x() + near.y[i] * aside.y() + near.z[i] * aside.z() >= 0;
+    if (patch.fit(near, normal, &keep) && patch.residual() <= least &&
+        patch.variance() <= kMostVariance) {
+      least = patch.residual();
+      best = patch;
+    }
+  }
+  if (least < fits)
+    return onto(best, Smoothed::How::Edge, farthest);
+  return {point};
+}
+
+template class PointSmoother<pcl::PointXYZ>;
+template class PointSmoother<pcl::PointXYZI>;
+template class PointSmoother<pcl::PointXYZRGB>;
+template class PointSmoother<pcl::PointXYZRGBA>;
+template class PointSmoother<pcl::PointNormal>;
+
+} // namespace pointmill
