@@ -3,6 +3,8 @@
 // Buffer points: no chord errs by more than the tolerance.
 #include "finish_test.h"
 
+#include <pointmill_test/freeform.h>
+
 using namespace finish_test;
 
 namespace {
@@ -184,6 +186,67 @@ TEST(BufferPoints, OnASmoothSurfaceChordsStayNearTheTrueCurve)
     EXPECT_LE(deepest(fine, c.tool, 0, pointsOf(*c.cloud)), tolerance + kRounding);
   }
   EXPECT_LT(last, 200u);
+}
+
+TEST(BufferPoints, ChordsOverScatteredPointsAreProvenOnBothSides)
+{
+  // Few random points: the true curve is all arcs and cusps, and leaps at the rim.
+  Case c;
+  c.cloud = Freeform::sample(1500, 20, 0.2, 12);
+  c.step_over = 5;
+  const auto index = indexOf(*c.cloud);
+  for (const Tool& tool : {Tool::ball(1, 3), Tool::bull(2, 4, 0.8)})
+    for (const ToleranceBand band : {ToleranceBand{0.002, 0.02}, {0.02, 0.004}}) {
+      c.tool = tool;
+      auto stage = c.buffer();
+      stage.setTolerance(band);
+      const auto fine = Case::run(stage, c.coarse());
+      double high = 0, low = 0;
+      forMovesOfPasses(fine, [&](const auto& a, const auto& b, const PointCL&) {
+        const double length = (b - a).template head<2>().norm();
+        if (length < 0.021) // a leap, or as short as a chord may get
+          return;
+        for (int i = 0; i <= 40; ++i) {
+          const Eigen::Vector3d p = a + (b - a) * (i / 40.0);
+          const double tip =
+              std::max(index->drop(tool, p.x(), p.y()).tip, index->min().z());
+          high = std::max(high, (p.z() - tip) * length / (b - a).norm());
+        }
+      });
+      low = deepest(fine, tool, 0, pointsOf(*c.cloud));
+      EXPECT_LE(high, band.outside + kRounding) << tool.describe();
+      EXPECT_LE(low, band.inside + kRounding) << tool.describe();
+      EXPECT_GT(high, 0.7 * band.outside) << "the band is used";
+    }
+}
+
+TEST(BufferPoints, OverASmoothModelChordsFollowTheTrueSurface)
+{
+  // 4 points/mm2, where bare points let the ball sink by 0.03 mm.
+  const auto cloud = Freeform::sample(3600, 30, 0, 12);
+  const auto model = std::make_shared<SurfaceModel>(indexOf(*cloud), SmoothSurface());
+  CLSurface<pcl::PointXYZ> rows;
+  rows.setModel(model);
+  rows.setTool(Tool::ball(1, 3));
+  rows.setStepOver(3);
+  rows.setForwardStep(1);
+  BufferPoints<pcl::PointXYZ> stage;
+  stage.setModel(model);
+  stage.setTool(Tool::ball(1, 3));
+  stage.setTolerance(0.01);
+  const auto fine = Case::run(stage, raster(rows, cloud));
+  double worst = 0;
+  forMovesOfPasses(fine, [&](const auto& a, const auto& b, const PointCL&) {
+    for (int i = 0; i <= 10; ++i) {
+      const Eigen::Vector3d p = a + (b - a) * (i / 10.0);
+      if (p.head<2>().minCoeff() < 3 || p.head<2>().maxCoeff() > 27)
+        continue;
+      const double across = (b - a).template head<2>().norm() / (b - a).norm();
+      const double error = p.z() - Freeform::tip(1.5, p.x(), p.y());
+      worst = std::max(worst, std::abs(error) * across);
+    }
+  });
+  EXPECT_LT(worst, 0.01 + 0.003); // the band, and what the model errs
 }
 
 TEST(BufferPoints, APlaneNeedsNone)

@@ -38,14 +38,16 @@ bool ChordRefiner::followsCurve(const Vector3d& a, const Vector3d& b) const
   const double steepness = std::hypot(length, b.z() - a.z()) / length;
   // The band as the step error of paper 000, P_i.z - P_d.z: across the chord.
   const double high = band_.outside * steepness, low = band_.inside * steepness;
-  const auto above = [&](double t, const Contact& contact) {
-    const Vector3d p = a + t * (b - a);
-    double curve = floor_;
-    if (contact.touches()) {
-      const double d = (contact.at - p).head<2>().norm();
-      curve = std::max(curve, contact.at.z() - grown_.profile(d) + allowance_);
-    }
-    return p.z() - curve;
+  // The arc of one contact, or the floor: either alone is concave, the higher of both
+  // is not.
+  const auto arc = [&](double t, const Contact& contact) {
+    if (!contact.touches())
+      return floor_;
+    const double d = (contact.at - (a + t * (b - a))).head<2>().norm();
+    return contact.at.z() - grown_.profile(d) + allowance_;
+  };
+  const auto near = [&](double t, const Contact& contact) {
+    return a.z() + t * (b.z() - a.z()) - arc(t, contact) <= high;
   };
   double from = 0, to = 1; // the stretch in hand; to the right, 2^k wide ones wait
   while (from < 1) {
@@ -55,7 +57,7 @@ bool ChordRefiner::followsCurve(const Vector3d& a, const Vector3d& b) const
     const double error = p.z() - contact.tip;
     if (error > high || error < -low)
       return false;
-    const bool proven = above(from, contact) <= high && above(to, contact) <= high;
+    const bool proven = near(from, contact) && near(to, contact);
     if (!proven && to - from > kShortest) {
       to = middle;
       continue;

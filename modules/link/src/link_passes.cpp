@@ -60,11 +60,9 @@ public:
       if (stock_)
         stock_->cut(tool_, from, at);
       if (nominal_) { // slower where the tool takes more than it should
-        const double length = (at - from).norm();
-        const double section =
-            nominal_->cut(tool_, from, at).volume / std::max(length, 1e-6);
+        const double section = thickestSection(from, at);
         const double most = kMostSection * tool_.diameter * tool_.diameter;
-        const bool sideways = (at - from).head<2>().norm() > length / 2;
+        const bool sideways = (at - from).head<2>().norm() > (at - from).norm() / 2;
         if (sideways && section > most)
           feed *= std::max(kSlowest, most / section);
       }
@@ -79,6 +77,24 @@ public:
   bool empty() const { return path_.empty(); }
 
 private:
+  /// Cuts the nominal stock; the largest cross-section on the way [mm2], looked at
+  /// piece by piece, so that a lump counts on a long move too.
+  double thickestSection(const Vector3d& from, const Vector3d& to)
+  {
+    const double length = (to - from).norm();
+    const int pieces =
+        std::max(1, static_cast<int>(std::ceil(length / tool_.radius())));
+    double thickest = 0;
+    Vector3d at = from;
+    for (int i = 1; i <= pieces; ++i) {
+      const Vector3d next = from + (to - from) * (double(i) / pieces);
+      const double volume = nominal_->cut(tool_, at, next).volume;
+      thickest = std::max(thickest, volume / std::max((next - at).norm(), 1e-6));
+      at = next;
+    }
+    return thickest;
+  }
+
   double feedFor(const Vector3d& from, const Vector3d& to, Motion motion) const
   {
     double feed = cutting_.feed;

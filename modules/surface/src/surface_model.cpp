@@ -13,9 +13,13 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr int kPatches = 3;        // the contact may move on to a neighbouring patch
-constexpr int kSteps = 8;          // of the search on one patch
+constexpr int kPatches = 3; // the contact may move on to a neighbouring patch
+constexpr int kSteps = 8;   // of the search on one patch
+/// Points may lie further from a wider patch, by this share of its radius: still far
+/// less than what the cutter would sink between them.
+constexpr double kRoughness = 0.01;
 constexpr double kSteepest = 0.05; // least upward part of a normal
+constexpr double kOnTheRim = 1e-7; // share of the radius
 
 /// Where @p tool with its axis at @p axis touches the plane through @p q with normal
 /// @p m.
@@ -54,11 +58,19 @@ void SurfaceModel::restOnPatch(const Tool& tool,
   Vector3d place = contact.at;
   Vector3d normal = contactNormal(tool, x, y, contact);
   for (int patches = 0; patches < kPatches; ++patches) {
-    near.gather(*points_, place, static_cast<std::size_t>(smooth_.neighbours));
-    if (tool.isFlat())
-      normal = near.planeNormal();
     Patch patch;
-    if (!patch.fit(near, normal) || patch.residual() > smooth_.fidelity)
+    bool fits = false;
+    for (const int share : {1, 2}) { // curved ground may need a smaller one
+      near.gather(
+          *points_, place, static_cast<std::size_t>(smooth_.neighbours / share));
+      if (tool.isFlat())
+        normal = near.planeNormal();
+      fits = patch.fit(near, normal) &&
+             patch.residual() <= smooth_.fidelity + kRoughness * near.radius;
+      if (fits)
+        break;
+    }
+    if (!fits)
       return;
     Vector2d st(0, 0);
     const double reach = near.radius;
@@ -86,7 +98,10 @@ void SurfaceModel::restOnPatch(const Tool& tool,
       continue;
     }
     const Vector3d q = patch.at(st.x(), st.y());
-    const double tip = q.z() - tool.profile((q.head<2>() - axis).norm());
+    double d = (q.head<2>() - axis).norm();
+    if (d < tool.radius() * (1 + kOnTheRim)) // rounding must not push it off
+      d = std::min(d, tool.radius());
+    const double tip = q.z() - tool.profile(d);
     if (tip > contact.tip) {
       contact.tip = tip;
       contact.at = q;
