@@ -195,6 +195,20 @@ CLI::App* declareMill(CLI::App& app, MillCommand& command)
       "MM",
       "scallop height of the semi-finishing",
       "Accuracy");
+  choice(*mill,
+         "--surface",
+         o.surface,
+         {{"auto", SurfaceChoice::Auto},
+          {"points", SurfaceChoice::Points},
+          {"smooth", SurfaceChoice::Smooth}},
+         "what the cutters rest on: the bare points, or a smooth surface between them "
+         "with the noise taken off; auto: by spacing, noise and tolerance")
+      ->default_str("auto")
+      ->group("Accuracy");
+  mill->add_flag("--accept-sparse",
+                 o.accept_sparse,
+                 "go on where tools sink more than the tolerance between bare points")
+      ->group("Accuracy");
   add("--cell",
       o.cell,
       "MM",

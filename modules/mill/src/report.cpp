@@ -56,7 +56,22 @@ Json scanJson(const MillJob& job, const std::string& name)
           {"points", job.part().size()},
           {"mm_per_unit", scan.scale},
           {"spacing_mm", {{"median", scan.spacing.median}, {"p99", scan.spacing.p99}}},
-          {"sink_between_points_mm", number(job.sinkBetweenPoints())}};
+          {"noise_mm", number(job.surfaceFigures().noise)}};
+}
+
+Json surfaceJson(const MillJob& job)
+{
+  const SurfaceFigures& surface = job.surfaceFigures();
+  const MillOptions& o = job.options();
+  Json json = {{"model", surface.smooth ? "smooth" : "points"},
+               {"noise_left_mm", surface.noise_left},
+               {"points_moved_at_most_mm", surface.farthest}};
+  for (const auto& [name, value] : surface.smoothing.figures())
+    json["smoothing"][name] = number(value);
+  for (const auto* t : {&o.rough.tool, &o.semi.tool, &o.finish.tool})
+    json["sink_between_bare_points_mm"].push_back(
+        {{"tool", t->number}, {"mm", number(job.sinkBetweenPoints(*t))}});
+  return json;
 }
 
 Json gapsJson(const MillJob& job)
@@ -173,6 +188,7 @@ std::string reportJson(const MillJob& job, const std::string& scan_name)
                        {"rounding_mm", budget.rounding},
                        {"scallop_mm", o.scallop},
                        {"semi_scallop_mm", o.semi_scallop}};
+  json["surface"] = surfaceJson(job);
   json["gaps"] = gapsJson(job);
   json["operations"] = Json::array();
   for (const auto& planned : job.operations())

@@ -25,6 +25,31 @@ print(const char* format, ...)
   return text;
 }
 
+/// What the cutters rest on, and why.
+std::string surfaceLine(const MillJob& job)
+{
+  const SurfaceFigures& surface = job.surfaceFigures();
+  const Spacing& spacing = job.scanFigures().spacing;
+  std::string text =
+      print("scan       points %.3f mm apart (99 %% within %.3f), noise %.4f mm\n",
+            spacing.median,
+            spacing.p99,
+            surface.noise);
+  const double sink = job.sinkBetweenPoints(job.options().finish.tool);
+  if (!surface.smooth)
+    return text + print("surface    the bare points; %s may sink %.4f mm between "
+                        "them\n",
+                        job.options().finish.tool.describe().c_str(),
+                        sink);
+  text += "surface    smooth between the points";
+  if (surface.farthest > 0)
+    text += print(", noise taken down to %.4f mm; no point of the scan was moved by "
+                  "more than %.3f mm",
+                  surface.noise_left,
+                  surface.farthest);
+  return text + "\n";
+}
+
 double percent(std::size_t part, std::size_t whole)
 {
   return 100.0 * double(part) / double(std::max<std::size_t>(1, whole));
@@ -39,8 +64,8 @@ std::vector<std::string> warningsOf(const MillJob& job)
     lines.push_back(print("the part's surroundings are cut down to the bottom of the "
                           "stock, Z%.2f: --floor or --stock-bottom leave it a base",
                           job.floor()));
-  const double sink = job.sinkBetweenPoints();
-  if (sink > job.options().tolerance)
+  const double sink = job.sinkBetweenPoints(job.options().finish.tool);
+  if (!job.surfaceFigures().smooth && sink > job.options().tolerance)
     lines.push_back(
         print("the scan is sparse: between its points the last tool may sink "
               "%.3f mm, more on slopes, below the true surface",
@@ -84,6 +109,7 @@ std::string summaryOf(const MillJob& job, const std::string& directory)
             job.scanFigures().strays);
   for (const auto& line : job.setUp())
     text += "set-up     " + line + "\n";
+  text += surfaceLine(job);
   for (const auto& o : job.operations())
     text += print(
         "%-20s %-16s %8zu CL points %9.0f mm cut %8.0f mm rapid %7.1f min %6.2f s\n",
@@ -104,7 +130,7 @@ std::string summaryOf(const MillJob& job, const std::string& directory)
             v.residual.p95,
             v.residual.max);
   text +=
-      print("surface    p50 %+.4f p95 %+.4f p99 %+.4f mm from the points in reach\n",
+      print("deviation  p50 %+.4f p95 %+.4f p99 %+.4f mm from the points in reach\n",
             v.deviation.p50,
             v.deviation.p95,
             v.deviation.p99);

@@ -17,6 +17,8 @@ constexpr int kShrink = 3;
 constexpr int kFewest = 16;
 /// A few points further than this many deviations from a fit are not of the surface.
 constexpr double kStray = 3.0, kMostStrays = 0.1;
+/// Of places that are noisier than the scan at large by no more than this.
+constexpr double kNoisier = 2.0;
 constexpr int kSides = 8;
 /// A one-sided fit that takes off less than half of the variance is not worth its risk.
 constexpr double kMostVariance = 0.5;
@@ -52,6 +54,33 @@ Smoothed onto(const Patch& patch, Smoothed::How how, double farthest)
   return s;
 }
 
+/// A quadric for the neighbours on one side of the point, whichever side it fits best;
+/// false where none fits.
+bool fitOneSide(const Neighbourhood& near, double fits, Patch& best)
+{
+  static thread_local std::vector<unsigned char> keep;
+  const Eigen::Vector3d normal = near.planeNormal();
+  Patch patch;
+  if (!patch.fit(near, normal))
+    return false;
+  const Eigen::Vector3d s = patch.tangentS(), t = patch.tangentT();
+  double least = fits;
+  for (int side = 0; side < kSides; ++side) {
+    const double angle = 2 * M_PI * side / kSides;
+    const Eigen::Vector3d aside = std::cos(angle) * s + std::sin(angle) * t;
+    keep.assign(near.size(), 0);
+    for (std::size_t i = 0; i < near.size(); ++i)
+      keep[i] =
+          near.x[i] * aside.x() + near.y[i] * aside.y() + near.z[i] * aside.z() >= 0;
+    if (patch.fit(near, normal, &keep) && patch.residual() < least &&
+        patch.variance() <= kMostVariance) {
+      least = patch.residual();
+      best = patch;
+    }
+  }
+  return least < fits;
+}
+
 } // namespace
 
 Smoothed smoothPoint(const PointIndex& points,
@@ -62,10 +91,12 @@ Smoothed smoothPoint(const PointIndex& points,
 {
   static thread_local Neighbourhood near;
   static thread_local std::vector<unsigned char> keep;
-  Patch patch;
+  static thread_local std::vector<Patch> patches; // from wide to narrow
   const double fits = kFits * noise;
+  patches.clear();
   for (int wanted = neighbours; wanted >= kFewest; wanted /= kShrink) {
     near.gather(points, point, static_cast<std::size_t>(wanted));
+    Patch patch;
     if (!patch.fit(near, near.planeNormal()))
       break;
     if (patch.residual() > fits && withoutStrays(near, patch, fits, keep) &&
@@ -73,31 +104,17 @@ Smoothed smoothPoint(const PointIndex& points,
       break;
     if (patch.residual() <= fits && patch.variance() < 1)
       return onto(patch, Smoothed::How::Surface, farthest);
+    patches.push_back(patch);
   }
-  // An edge: of the neighbours on one side, whichever side fits best.
   near.gather(points, point, static_cast<std::size_t>(neighbours));
-  const Eigen::Vector3d normal = near.planeNormal();
-  Patch frame;
-  if (!frame.fit(near, normal))
-    return {point};
-  Patch best;
-  double least = fits;
-  for (int side = 0; side < kSides; ++side) {
-    const double angle = 2 * M_PI * side / kSides;
-    const Eigen::Vector3d aside =
-        std::cos(angle) * frame.tangentS() + std::sin(angle) * frame.tangentT();
-    keep.assign(near.size(), 0);
-    for (std::size_t i = 0; i < near.size(); ++i)
-      keep[i] =
-          near.x[i] * aside.x() + near.y[i] * aside.y() + near.z[i] * aside.z() >= 0;
-    if (patch.fit(near, normal, &keep) && patch.residual() <= least &&
-        patch.variance() <= kMostVariance) {
-      least = patch.residual();
-      best = patch;
-    }
-  }
-  if (least < fits)
-    return onto(best, Smoothed::How::Edge, farthest);
+  Patch side;
+  if (fitOneSide(near, fits, side))
+    return onto(side, Smoothed::How::Edge, farthest);
+  // No edge: the scan is noisier here, if wide fits are no worse than the narrowest.
+  if (!patches.empty() && patches.back().residual() <= kNoisier * noise)
+    for (const auto& patch : patches)
+      if (patch.residual() <= kFits * patches.back().residual() && patch.variance() < 1)
+        return onto(patch, Smoothed::How::Surface, farthest);
   return {point};
 }
 

@@ -31,7 +31,8 @@ enum class Motion : std::uint32_t {
 enum class CellState : std::uint32_t {
   Empty = 0,    ///< outside the part's outline: milled (yellow)
   Occupied = 1, ///< holds points (red)
-  Gap = 2       ///< inside the outline without points: not scanned, protected
+  Gap = 2,      ///< inside the outline without points: not scanned, protected
+  Between = 3   ///< holds none, but lies between points that are near: part
 };
 
 struct EIGEN_ALIGN16 _PointCL {

@@ -35,6 +35,15 @@ struct ScanFigures {
   Spacing spacing;
 };
 
+/// @brief What was made of the scan's points.
+struct SurfaceFigures {
+  bool smooth = false;
+  double noise = 0;      ///< standard deviation of the scan's, as measured [mm]
+  double noise_left = 0; ///< after smoothing [mm]
+  double farthest = 0;   ///< no point was moved further [mm]
+  Report smoothing;      ///< what PointSmoother did; empty where it was not needed
+};
+
 /// @brief The main job: from the file of a scan to a verified NC program with its
 /// picture and report.
 ///
@@ -73,6 +82,7 @@ public:
   const std::vector<GapRegion>& gaps() const { return gaps_; }
   const Stock& stock() const { return stock_; }
   const ScanFigures& scanFigures() const { return scan_; }
+  const SurfaceFigures& surfaceFigures() const { return figures_; }
   const Eigen::Matrix4d& alignment() const { return alignment_; }
   const std::vector<std::pair<std::string, double>>& seconds() const
   {
@@ -85,14 +95,16 @@ public:
   double gapArea() const;
   /// @brief Area inside the outline that lies between points and was bridged [mm2].
   double bridgedArea() const { return bridged_area_; }
-  /// @brief How far the last tool's tip sinks between points on a flat, at the 99 %
-  /// spacing [mm].
-  double sinkBetweenPoints() const;
+  /// @brief How far @p tool may sink between bare points at the 99 % spacing [mm]: a
+  /// ball or a bull nose along the normal of a flat or slope, a flat end mill's rim on
+  /// whatever slope.
+  double sinkBetweenPoints(const Tool& tool) const;
   /// @brief What the one who sets up must know, a line each.
   std::vector<std::string> setUp() const;
 
 private:
   void readAndAlign(const std::string& scan);
+  void makeSurface();
   void makeMap();
   void planRoughing(const ToolJob& job, const std::string& name, double min_thickness);
   void planFinishing(const ToolJob& job,
@@ -114,12 +126,15 @@ private:
   std::string scan_path_, scan_name_;
   ScanFigures scan_;
   Eigen::Matrix4d alignment_ = Eigen::Matrix4d::Identity();
+  SurfaceFigures figures_;
   pcl::PointCloud<pcl::PointXYZ>::Ptr part_;
+  pcl::PointCloud<pcl::PointXYZ>::Ptr clean_; // the same without noise, or the same
   CellCloud::Ptr map_;
   std::vector<GapRegion> gaps_;
-  std::shared_ptr<const PointIndex> points_;  // the part's own points
-  std::shared_ptr<const PointIndex> bridges_; // over its gaps
-  std::shared_ptr<const PointIndex> surface_; // both
+  std::shared_ptr<const PointIndex> points_;       // the part's own points
+  std::shared_ptr<const PointIndex> clean_points_; // without noise, or the same
+  std::shared_ptr<const PointIndex> bridges_;      // over its gaps
+  std::shared_ptr<const PointIndex> surface_;      // clean points and bridges
   std::shared_ptr<const SurfaceModel> model_;
   Stock stock_;
   std::shared_ptr<StockField> standing_, nominal_;

@@ -16,6 +16,13 @@ namespace pointmill {
 /// @brief How the roughing goes over a level.
 enum class RoughingStrategy { ZigZag, Spiral };
 
+/// @brief What the cutters rest on between the points of the scan.
+enum class SurfaceChoice {
+  Auto,   ///< smooth where the scan is noisy or sparse for the tolerance
+  Points, ///< bare points
+  Smooth  ///< noise taken off, quadrics between the points
+};
+
 /// @brief What one tool does, as a user sets it.
 struct ToolJob {
   Tool tool;
@@ -41,6 +48,9 @@ struct MillOptions {
   // accuracy
   double tolerance = 0.02; ///< deepest a point may get into a tool, all errors together
   double scallop = 0.01;   ///< of the finishing [mm]
+  SurfaceChoice surface = SurfaceChoice::Auto;
+  /// Go on where a tool may sink further between bare points than the tolerance.
+  bool accept_sparse = false;
   double semi_scallop = 0.05;
   double cell = 0.0; ///< of the map [mm]; 0: from tool and spacing
 

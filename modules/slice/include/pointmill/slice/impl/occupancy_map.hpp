@@ -70,9 +70,10 @@ void OccupancyMap<PointT>::apply(CellCloud& output)
       cell.y = static_cast<float>(grid.y(row));
       cell.z = static_cast<float>(height[at]);
       cell.count = count[at];
-      cell.setState(occupied[at] ? CellState::Occupied
-                    : gap[at]    ? CellState::Gap
-                                 : CellState::Empty);
+      cell.setState(occupied[at]  ? CellState::Occupied
+                    : between[at] ? CellState::Between
+                    : gap[at]     ? CellState::Gap
+                                  : CellState::Empty);
     }
 
   gaps_ = gapRegions(grid, wide);
@@ -89,6 +90,7 @@ void OccupancyMap<PointT>::apply(CellCloud& output)
   this->report_.set("nan_points",
                     static_cast<double>(this->indices_->size() - points.size()));
   this->report_.set("occupied_cells", cells(CellState::Occupied));
+  this->report_.set("between_cells", cells(CellState::Between));
   this->report_.set("gap_cells", cells(CellState::Gap));
   this->report_.set("empty_cells", cells(CellState::Empty));
   this->report_.set("gaps", static_cast<double>(gaps_.size()));

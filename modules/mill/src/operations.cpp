@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the PointMill authors
+// What each operation cuts.
+#include <pointmill/finish/buffer_points.h>
+#include <pointmill/link/order_passes.h>
+#include <pointmill/link/simplify_path.h>
+#include <pointmill/mill/mill_job.h>
+#include <pointmill/rough/level_roughing.h>
+#include <pointmill/slice/z_slices.h>
+
+#include <chrono>
+
+namespace pointmill {
+
+void MillJob::link(PlannedOperation& planned, const CLCloud& passes)
+{
+  LinkPasses linker;
+  linker.setTool(planned.operation.tool);
+  linker.setCutting(planned.operation.cutting);
+  linker.setClearancePlane(clearancePlane());
+  linker.setStock(standing_);
+  linker.setNominalStock(nominal_);
+  linker.setPart(surface_, planned.allowance, floor_);
+  linker.setStayDown(2 * planned.operation.tool.diameter);
+  linker.setInputCloud(CLCloud::ConstPtr(new CLCloud(passes)));
+  linker.filter(planned.operation.path);
+  for (const auto& p : listParameters(linker))
+    planned.parameters.push_back(p);
+  for (const auto& f : linker.getReport().figures())
+    planned.report.set("link_" + f.first, f.second);
+  planned.figures = measurePath(planned.operation.path, options_.rapid_rate);
+}
+
+void MillJob::planRoughing(const ToolJob& job,
+                           const std::string& name,
+                           double min_thickness)
+{
+  PlannedOperation planned;
+  planned.operation.name = name;
+  planned.operation.tool = job.tool;
+  planned.operation.cutting = job.cutting;
+  planned.allowance = job.allowance;
+  planned.colour = min_thickness <= 0                             ? 0
+                   : job.tool.number == options_.semi.tool.number ? 1
+                                                                  : 3;
+
+  ZigZagRoughing zigzag;
+  SpiralRoughing spiral;
+  LevelRoughing& roughing = options_.roughing == RoughingStrategy::Spiral
+                                ? static_cast<LevelRoughing&>(spiral)
+                                : zigzag;
+  roughing.setTool(job.tool);
+  roughing.setAllowance(job.allowance);
+  roughing.setStepDown(min_thickness <= 0 && options_.step_down > 0
+                           ? options_.step_down
+                           : ZSlices::pitchForDiameter(job.tool.diameter));
+  roughing.setStepOver(options_.step_over > 0 && min_thickness <= 0
+                           ? options_.step_over
+                           : 0.4 * job.tool.diameter);
+  roughing.setFloor(floor_);
+  roughing.setStock(standing_);
+  roughing.setPart(surface_);
+  roughing.setRestLimits(min_thickness,
+                         min_thickness > 0 ? 0.6 * job.tool.diameter : 0.0);
+  roughing.setNumberOfThreads(options_.threads);
+  roughing.setInputCloud(map_);
+  CLCloud passes;
+  const auto start = std::chrono::steady_clock::now();
+  roughing.filter(passes);
+  planned.parameters = listParameters(roughing);
+  planned.report = roughing.getReport();
+  if (passes.empty()) // nothing that is worth this tool's while
+    return;
+  link(planned, passes);
+  if (planned.operation.path.empty())
+    return;
+  planned.seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  operations_.push_back(std::move(planned));
+}
+
+CLCloud MillJob::rasterPasses(const ToolJob& job,
+                              double scallop,
+                              RasterDirection direction,
+                              double min_slope,
+                              PlannedOperation& planned) const
+{
+  CLSurface<pcl::PointXYZ> raster;
+  raster.setTool(job.tool);
+  raster.setScallop(scallop);
+  raster.setForwardStep(job.tool.radius() / 3);
+  raster.setAllowance(job.allowance);
+  raster.setFloor(floor_);
+  raster.setDirection(direction);
+  raster.setMinSlope(min_slope);
+  raster.setModel(model_);
+  raster.setNumberOfThreads(options_.threads);
+
+  BufferPoints<pcl::PointXYZ> buffer;
+  buffer.setModel(model_);
+  buffer.setTool(job.tool);
+  buffer.setAllowance(job.allowance);
+  buffer.setFloor(floor_);
+  const double chord = ErrorBudget::of(options_.tolerance).chord;
+  buffer.setTolerance(ToleranceBand{chord, chord / 2}); // simplifying adds to this
+  buffer.setNumberOfThreads(options_.threads);
+
+  CLCloud::Ptr lines(new CLCloud);
+  raster.setInputCloud(part_);
+  raster.filter(*lines);
+  const std::string prefix = min_slope > 0 ? "steep_" : "";
+  for (const auto& f : raster.getReport().figures())
+    planned.report.set(prefix + "raster_" + f.first, f.second);
+  if (lines->empty()) // nothing is that steep
+    return {};
+  SimplifyPath simplify;
+  simplify.setPart(surface_, job.allowance);
+  simplify.setTool(job.tool);
+  simplify.setTolerance({chord, chord / 2});
+  simplify.setNumberOfThreads(options_.threads);
+  OrderPasses order;
+  const CLCloud passes = *pointmill::run<PointCL>(lines, buffer, simplify, order);
+  for (const auto& f : order.getReport().figures())
+    planned.report.set(prefix + "order_" + f.first, f.second);
+  for (const auto& f : buffer.getReport().figures())
+    planned.report.set(prefix + "buffer_" + f.first, f.second);
+  for (const auto& f : simplify.getReport().figures())
+    planned.report.set(prefix + "simplify_" + f.first, f.second);
+  if (min_slope > 0)
+    return passes;
+  planned.parameters = listParameters(raster);
+  for (const auto& p : listParameters(buffer))
+    if (p.name != "allowance")
+      planned.parameters.push_back(p);
+  return passes;
+}
+
+void MillJob::planFinishing(const ToolJob& job,
+                            const std::string& name,
+                            double scallop,
+                            bool steep_too)
+{
+  PlannedOperation planned;
+  planned.operation.name = name;
+  planned.operation.tool = job.tool;
+  planned.operation.cutting = job.cutting;
+  planned.allowance = job.allowance;
+  planned.colour = steep_too ? 4 : 2;
+  const auto start = std::chrono::steady_clock::now();
+
+  CLCloud passes = rasterPasses(job, scallop, options_.raster, 0.0, planned);
+  if (options_.steep > 0 && steep_too) {
+    // Where the ground falls across the lines they lie too far apart on it.
+    const auto across = options_.raster == RasterDirection::AlongX
+                            ? RasterDirection::AlongY
+                            : RasterDirection::AlongX;
+    CLCloud steep = rasterPasses(job, scallop, across, options_.steep, planned);
+    const std::uint32_t next = passes.empty() ? 0 : passes.back().label + 1;
+    for (auto& p : steep)
+      p.label += next;
+    passes += steep;
+  }
+  link(planned, passes);
+  planned.seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  operations_.push_back(std::move(planned));
+}
+
+} // namespace pointmill
