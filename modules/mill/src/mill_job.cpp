@@ -63,9 +63,9 @@ double MillJob::gapArea() const
 
 double MillJob::sinkBetweenPoints() const
 {
-  const double r = options_.finish.tool.radius();
-  const double half = scan_.spacing.p99 * scan_.spacing.p99 / 2;
-  return r - std::sqrt(std::max(0.0, r * r - half));
+  // In the middle of a square of four points, half a diagonal from each.
+  const Tool& tool = options_.finish.tool;
+  return tool.profile(std::min(tool.radius(), scan_.spacing.p99 * std::sqrt(0.5)));
 }
 
 double MillJob::minutes() const
@@ -86,7 +86,7 @@ void MillJob::readAndAlign(const std::string& scan)
     // Samples so near that the finest tool sinks less than a tenth of the tolerance
     // between them: R - sqrt(R^2 - s^2 / 2) at the middle of a square of edge s.
     const double sink = options_.tolerance / 10;
-    const double spacing = std::sqrt(4 * options_.finish.tool.radius() * sink);
+    const double spacing = std::sqrt(4 * options_.finish.tool.corner_radius * sink);
     prepared = prepareScan(raw,
                            {options_.mm_per_unit, options_.fit},
                            1.0 / (spacing * spacing),
@@ -148,7 +148,7 @@ void MillJob::makeMap()
     const double void_between = std::max(scan_.spacing.median, 1e-3);
     double cell = options_.cell;
     if (cell <= 0)
-      cell = options_.rough.tool.diameter / 20;
+      cell = options_.rough.tool.endDiameter() / 20;
     // A very large part gets coarser cells rather than hours.
     const Eigen::Vector4f size =
         part_->getMatrixXfMap().rowwise().maxCoeff().head<4>() -
@@ -241,15 +241,15 @@ void MillJob::planRoughing(const ToolJob& job,
   roughing.setAllowance(job.allowance);
   roughing.setStepDown(min_thickness <= 0 && options_.step_down > 0
                            ? options_.step_down
-                           : ZSlices::pitchForDiameter(job.tool.diameter));
+                           : ZSlices::pitchForDiameter(job.tool.endDiameter()));
   roughing.setStepOver(options_.step_over > 0 && min_thickness <= 0
                            ? options_.step_over
-                           : 0.4 * job.tool.diameter);
+                           : 0.4 * job.tool.endDiameter());
   roughing.setFloor(floor_);
   roughing.setStock(standing_);
   roughing.setPart(surface_);
   roughing.setRestLimits(min_thickness,
-                         min_thickness > 0 ? 0.6 * job.tool.diameter : 0.0);
+                         min_thickness > 0 ? 0.6 * job.tool.endDiameter() : 0.0);
   roughing.setNumberOfThreads(options_.threads);
   roughing.setInputCloud(map_);
   CLCloud passes;
@@ -276,7 +276,7 @@ CLCloud MillJob::rasterPasses(const ToolJob& job,
   CLSurface<pcl::PointXYZ> raster;
   raster.setTool(job.tool);
   raster.setScallop(scallop);
-  raster.setForwardStep(job.tool.radius() / 3);
+  raster.setForwardStep(job.tool.endDiameter() / 6);
   raster.setAllowance(job.allowance);
   raster.setFloor(floor_);
   raster.setDirection(direction);
@@ -408,11 +408,11 @@ void MillJob::verify()
   verifier.setResidualLimit(options_.residual_limit);
   const Eigen::Vector3d size = stock_.max - stock_.min;
   // Cells no wider than the thinnest tool's radius: nothing slips between two centres.
-  const double thinnest = std::min({options_.rough.tool.radius(),
-                                    options_.semi.tool.radius(),
-                                    options_.finish.tool.radius()});
+  const double thinnest = std::min({options_.rough.tool.endDiameter(),
+                                    options_.semi.tool.endDiameter(),
+                                    options_.finish.tool.endDiameter()});
   verifier.setCellSize(
-      std::min(std::max(0.25, std::sqrt(size.x() * size.y() / 4e6)), thinnest / 2));
+      std::min(std::max(0.25, std::sqrt(size.x() * size.y() / 4e6)), thinnest / 4));
   verifier.setFloor(floor_);
   verifier.setProtected(bridges_);
   verifier.setBlendLimit(ErrorBudget::of(options_.tolerance).blend + 1e-9);
@@ -444,7 +444,7 @@ void MillJob::plan(const std::string& scan)
   ToolJob rest = options_.semi;
   rest.allowance = std::max(rest.allowance, 0.6 * options_.rough.allowance);
   timed("rest roughing", 0.25, [&] {
-    planRoughing(rest, "rest roughing", 0.4 * rest.tool.diameter);
+    planRoughing(rest, "rest roughing", 0.4 * rest.tool.endDiameter());
   });
   timed("semi-finishing", 0.35, [&] {
     planFinishing(options_.semi, "semi-finishing", options_.semi_scallop, false);
@@ -452,7 +452,7 @@ void MillJob::plan(const std::string& scan)
   rest = options_.finish;
   rest.allowance = std::max(rest.allowance, options_.semi.allowance);
   timed("rest roughing, fine", 0.45, [&] {
-    planRoughing(rest, "rest roughing, fine", 0.4 * rest.tool.diameter);
+    planRoughing(rest, "rest roughing, fine", 0.4 * rest.tool.endDiameter());
   });
   timed("finishing", 0.5, [&] {
     planFinishing(options_.finish, "finishing", options_.scallop, true);

@@ -101,7 +101,11 @@ double penetration(const CutterProfile& cutter,
         ((p.x() - a.x()) * dx + (p.y() - a.y()) * dy + (p.z() - centre) * dz) / squared;
     return std::max(depth(std::clamp(t, 0.0, 1.0)), depth(nearest));
   }
-  return maximumOf(0.0, 1.0, depth); // depth below a convex surface is concave
+  // Nearly all points that are asked for are outside, which is known sooner.
+  const double above = p.z() - sweptHeight(cutter, a, b, p.x(), p.y());
+  if (above <= 0)
+    return above;
+  return maximumOf(0.0, 1.0, depth); // depth in a convex solid is concave
 }
 
 } // namespace pointmill

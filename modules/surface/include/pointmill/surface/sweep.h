@@ -27,10 +27,11 @@ inline double sweptHeight(const Tool& tool,
 }
 
 /// @brief How deep [mm] the point @p p gets inside the cutter whose tip moves straight
-/// from @p a to @p b: its distance to the cutter's surface from inside, or <= 0 where
-/// it stays outside. The cutter reaches up without end; its top is no surface. Beside a
-/// vertical wall this is the horizontal overlap, however high the wall. On level moves,
-/// plunges and for balls a closed form, else a convex search (to 1e-9 of the move).
+/// from @p a to @p b: its distance to the cutter's surface from inside, or some number
+/// <= 0 where it stays outside. The cutter reaches up without end; its top is no
+/// surface. Beside a vertical wall this is the horizontal overlap, however high the
+/// wall. On level moves, plunges and for balls a closed form, else a convex search (to
+/// 1e-9 of the move).
 double penetration(const CutterProfile& cutter,
                    const Eigen::Vector3d& a,
                    const Eigen::Vector3d& b,
