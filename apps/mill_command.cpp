@@ -19,26 +19,13 @@ using namespace pointmill;
 
 namespace {
 
-void declareTool(CLI::App& app,
-                 const std::string& name,
-                 const std::string& what,
-                 ToolJob& job)
+void declareJob(CLI::App& app, const std::string& what, ToolOptions& tool, ToolJob& job)
 {
   const std::string group = what + ", T" + std::to_string(job.tool.number);
-  app.add_option_function<double>(
-         "--" + name + "-diameter",
-         [&job](double d) {
-           job.tool.corner_radius = job.tool.isBall() ? d / 2 : 0;
-           job.tool.diameter = d;
-         },
-         "diameter of the " + std::string(job.tool.isBall() ? "ball" : "flat") +
-             " end mill")
-      ->type_name("MM")
-      ->default_str(CLI::detail::to_string(job.tool.diameter))
-      ->group(group);
+  tool.declare(app, group, job.tool);
   const auto add =
       [&](const char* option, double& value, const char* unit, const char* help) {
-        app.add_option("--" + name + option, value, help)
+        app.add_option("--" + tool.name + option, value, help)
             ->type_name(unit)
             ->capture_default_str()
             ->group(group);
@@ -270,9 +257,9 @@ CLI::App* declareMill(CLI::App& app, MillCommand& command)
   mill->add_option("--threads", o.threads, "0: all of the machine")
       ->capture_default_str()
       ->group("Operations");
-  declareTool(*mill, "rough", "Roughing", o.rough);
-  declareTool(*mill, "semi", "Semi-finishing", o.semi);
-  declareTool(*mill, "finish", "Finishing", o.finish);
+  declareJob(*mill, "Roughing", command.rough_tool, o.rough);
+  declareJob(*mill, "Semi-finishing", command.semi_tool, o.semi);
+  declareJob(*mill, "Finishing", command.finish_tool, o.finish);
   return mill;
 }
 
@@ -281,6 +268,9 @@ int runMill(MillCommand& command)
   MillOptions& o = command.options;
   o.square = !command.no_square;
   o.remove_strays = !command.keep_strays;
+  o.rough.tool = command.rough_tool.toolFrom(o.rough.tool);
+  o.semi.tool = command.semi_tool.toolFrom(o.semi.tool);
+  o.finish.tool = command.finish_tool.toolFrom(o.finish.tool);
   for (auto* job : {&o.rough, &o.semi, &o.finish})
     job->cutting.coolant = !command.no_coolant;
   if (command.directory.empty())

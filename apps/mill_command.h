@@ -2,6 +2,8 @@
 // Copyright (c) 2026, the PointMill authors
 #pragma once
 
+#include "tool_options.h"
+
 #include <pointmill/mill/mill_options.h>
 
 #include <CLI/CLI.hpp>
@@ -12,6 +14,7 @@
 /// @brief What `pointmill mill` was told on its command line.
 struct MillCommand {
   pointmill::MillOptions options;
+  ToolOptions rough_tool{"rough"}, semi_tool{"semi"}, finish_tool{"finish"};
   std::string scan, directory;
   bool quiet = false, no_square = false, keep_strays = false, no_coolant = false;
 };

@@ -28,7 +28,16 @@ void Tool::validate() const
   const std::string who = "tool " + std::to_string(number);
   checkRange(who, "number", number, "", {1, 9999});
   checkRange(who, "diameter", diameter, "mm", {0.05, 200});
-  checkRange(who, "corner radius", corner_radius, "mm", {0, radius()});
+  checkRange(who, "taper", taper, "deg", {0, 80});
+  if (isTapered()) { // a taper too slight to see would make the cone endless
+    checkRange(who, "taper", taper, "deg", {0.1, 80});
+    checkRange(who, "tip diameter", tip_diameter, "mm", {0, diameter});
+  }
+  else
+    checkRange(who, "tip diameter without a taper", tip_diameter, "mm", {0, 0});
+  checkRange(who, "corner radius", corner_radius, "mm", {0, tipRadius()});
+  checkRange(who, "shoulder radius", shoulder_radius, "mm", {0, corner_radius});
+  checkRange(who, "flute length", flute_length, "mm", {0, 500});
   checkRange(who, "flutes", flutes, "", {1, 20});
 }
 
@@ -36,9 +45,22 @@ std::string Tool::describe() const
 {
   std::ostringstream text;
   text.imbue(std::locale::classic());
-  text << "T" << number << " " << type() << " " << diameter << " mm";
-  if (!isFlat() && !isBall())
+  const bool round_end = flatRadius() <= 0.0 && corner_radius > 0.0;
+  text << "T" << number << " ";
+  if (!isTapered())
+    text << type() << " " << diameter << " mm";
+  else if (corner_radius > 0.0)
+    text << "taper " << (round_end ? "ball " : "bull ") << tip_diameter << " mm";
+  else
+    text << "cone " << diameter << " mm";
+  if (corner_radius > 0.0 && !round_end)
     text << " corner " << corner_radius << " mm";
+  if (isTapered())
+    text << ", " << taper << " deg";
+  if (isTapered() && corner_radius > 0.0)
+    text << ", to " << diameter << " mm";
+  else if (tip_diameter > 0.0)
+    text << ", tip " << tip_diameter << " mm";
   return text.str();
 }
 

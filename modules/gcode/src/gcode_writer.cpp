@@ -73,7 +73,8 @@ private:
         continue;
       if (known.diameter != tool.diameter ||
           known.corner_radius != tool.corner_radius ||
-          known.flute_length != tool.flute_length)
+          known.flute_length != tool.flute_length || known.taper != tool.taper ||
+          known.tip_diameter != tool.tip_diameter)
         throw ParameterError(where() + ": " + tool.describe() + " and " +
                              known.describe() + " differ but share one number");
       return;

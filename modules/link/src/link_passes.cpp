@@ -15,8 +15,9 @@ using Eigen::Vector3d;
 
 /// Thinner stock than this over an entry or a link is swarf, not material [mm].
 constexpr double kNothing = 0.05;
-/// Full feed is for cuts of at most this share of the diameter squared, slots of the
-/// papers' pitch included; beyond it the feed falls in proportion, to a tenth at least.
+/// Full feed is for cuts of at most this share of the end's diameter squared, slots of
+/// the papers' pitch included; beyond it the feed falls in proportion, to a tenth at
+/// least.
 constexpr double kMostSection = 0.1, kSlowest = 0.1;
 /// A stay-down link may cut this deep into stock that no pass has taken [mm].
 constexpr double kLinkDepth = 0.5;
@@ -61,7 +62,7 @@ public:
         stock_->cut(tool_, from, at);
       if (nominal_) { // slower where the tool takes more than it should
         const double section = thickestSection(from, at);
-        const double most = kMostSection * tool_.diameter * tool_.diameter;
+        const double most = kMostSection * tool_.endDiameter() * tool_.endDiameter();
         const bool sideways = (at - from).head<2>().norm() > (at - from).norm() / 2;
         if (sideways && section > most)
           feed *= std::max(kSlowest, most / section);
@@ -157,7 +158,7 @@ void LinkPasses::apply(CLCloud& output)
     const double top = highest(start, start, certainRadius());
     const double lead = std::min(std::max(top, start.z()) + kNothing, clearance_);
     const bool sinks = top > start.z() + kNothing;
-    if (sinks && tool_.isFlat() &&
+    if (sinks && tool_.flatRadius() > 0 &&
         rampAlong(pass, lead - start.z(), ramp_angle_, 2 * tool_.diameter).empty()) {
       ++skipped;
       begin = end;
@@ -219,7 +220,7 @@ void LinkPasses::apply(CLCloud& output)
 
 double LinkPasses::certainRadius() const
 {
-  return stock_ ? std::max(0.0, tool_.radius() - 2 * stock_->cellSize()) : 0.0;
+  return stock_ ? std::max(0.0, tool_.endDiameter() / 2 - 2 * stock_->cellSize()) : 0.0;
 }
 
 double LinkPasses::highest(const Vector3d& a, const Vector3d& b, double radius) const
@@ -238,7 +239,8 @@ double LinkPasses::linkHeight(const Vector3d& from, const Vector3d& to) const
   const double z = std::max({part + allowance_, floor_, higher});
   // Over a hill, or through stock that no pass has taken, the way round is better.
   // A thin wall at the rim is cut at the feed that befits it.
-  if (z > higher + stay_down_ || highest(from, to, tool_.radius() / 3) > z + kLinkDepth)
+  if (z > higher + stay_down_ ||
+      highest(from, to, tool_.endDiameter() / 6) > z + kLinkDepth)
     return clearance_;
   return std::min(z, clearance_);
 }

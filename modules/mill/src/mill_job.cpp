@@ -34,9 +34,11 @@ double MillJob::gapArea() const
 
 double MillJob::sinkBetweenPoints(const Tool& tool) const
 {
-  const double corner = tool.corner_radius;
-  const double half = scan_.spacing.p99 / std::sqrt(2.0); // of a square's diagonal
-  return half < corner ? corner - std::sqrt(corner * corner - half * half) : half;
+  // In the middle of a square of four points, half a diagonal from each.
+  const double away = scan_.spacing.p99 * std::sqrt(0.5);
+  if (tool.corner_radius <= 0 || away > tool.radius())
+    return away; // sideways, of an edge that touches a slope
+  return tool.profile(away);
 }
 
 double MillJob::minutes() const

@@ -17,7 +17,7 @@ void MillOptions::validate() const
   checkRange(who, "--stock-top", stock_top, "mm", {0, 500});
   checkRange(who, "--stock-bottom", stock_bottom, "mm", {0, 500});
   checkRange(who, "--step-down", step_down, "mm", {0, rough.tool.diameter});
-  checkRange(who, "--step-over", step_over, "mm", {0, rough.tool.diameter});
+  checkRange(who, "--step-over", step_over, "mm", {0, rough.tool.endDiameter()});
   checkRange(who, "--steep", steep, "deg", {0, 89});
   checkRange(who, "--residual-limit", residual_limit, "mm", {0.001, 1000});
   checkRange(who, "--fit", fit, "mm", {0, 3000});
@@ -30,6 +30,11 @@ void MillOptions::validate() const
     checkRange(tool, "plunge feed", job->cutting.plunge_feed, "mm/min", {1, 50000});
     checkRange(tool, "allowance", job->allowance, "mm", {0, 20});
   }
+  for (const auto* job : {&semi, &finish})
+    if (job->tool.corner_radius <= 0)
+      throw ParameterError(who + ": " + job->tool.describe() +
+                           " has no round to work a step-over out from a scallop: "
+                           "finish with a ball, a bull or a taper");
   if (rough.tool.number == semi.tool.number ||
       rough.tool.number == finish.tool.number || semi.tool.number == finish.tool.number)
     throw ParameterError(who + ": two tools have one number");

@@ -53,15 +53,15 @@ void MillJob::planRoughing(const ToolJob& job,
   roughing.setAllowance(job.allowance);
   roughing.setStepDown(min_thickness <= 0 && options_.step_down > 0
                            ? options_.step_down
-                           : ZSlices::pitchForDiameter(job.tool.diameter));
+                           : ZSlices::pitchForDiameter(job.tool.endDiameter()));
   roughing.setStepOver(options_.step_over > 0 && min_thickness <= 0
                            ? options_.step_over
-                           : 0.4 * job.tool.diameter);
+                           : 0.4 * job.tool.endDiameter());
   roughing.setFloor(floor_);
   roughing.setStock(standing_);
   roughing.setPart(surface_);
   roughing.setRestLimits(min_thickness,
-                         min_thickness > 0 ? 0.6 * job.tool.diameter : 0.0);
+                         min_thickness > 0 ? 0.6 * job.tool.endDiameter() : 0.0);
   roughing.setNumberOfThreads(options_.threads);
   roughing.setInputCloud(map_);
   CLCloud passes;
@@ -88,7 +88,7 @@ CLCloud MillJob::rasterPasses(const ToolJob& job,
   CLSurface<pcl::PointXYZ> raster;
   raster.setTool(job.tool);
   raster.setScallop(scallop);
-  raster.setForwardStep(job.tool.radius() / 3);
+  raster.setForwardStep(job.tool.endDiameter() / 6);
   raster.setAllowance(job.allowance);
   raster.setFloor(floor_);
   raster.setDirection(direction);

@@ -36,11 +36,18 @@ Json quantiles(const Quantiles& q)
 
 Json toolJson(const Tool& tool)
 {
-  return {{"number", tool.number},
-          {"type", tool.type()},
-          {"diameter", tool.diameter},
-          {"corner_radius", tool.corner_radius},
-          {"flutes", tool.flutes}};
+  Json json = {{"number", tool.number},
+               {"type", tool.type()},
+               {"diameter", tool.diameter},
+               {"corner_radius", tool.corner_radius},
+               {"flutes", tool.flutes}};
+  if (tool.flute_length > 0)
+    json["flute_length"] = tool.flute_length;
+  if (tool.isTapered()) {
+    json["taper_deg"] = tool.taper;
+    json["tip_diameter"] = tool.tip_diameter;
+  }
+  return json;
 }
 
 Json scanJson(const MillJob& job, const std::string& name)

@@ -75,12 +75,20 @@ std::vector<std::string> warningsOf(const MillJob& job)
                            &job.options().finish.tool}) {
     const auto& depths = job.verification().axial_depth;
     const auto depth = depths.find(tool->number);
-    if (depth != depths.end() && depth->second > 1.5 * tool->diameter)
+    if (depth != depths.end() && depth->second > 1.5 * tool->endDiameter())
       lines.push_back(
           print("%s cuts up to %.1f mm deep at once somewhere (thin walls of "
                 "stock count); its feed is reduced there",
                 tool->describe().c_str(),
                 depth->second));
+    if (depth != depths.end() && tool->flute_length > 0 &&
+        depth->second > tool->flute_length)
+      lines.push_back(
+          print("%s cuts up to %.1f mm deep at once somewhere: its flutes are only "
+                "%.1f mm long",
+                tool->describe().c_str(),
+                depth->second,
+                tool->flute_length));
     const auto& tips = job.verification().lowest_tip;
     const auto tip = tips.find(tool->number);
     if (tip == tips.end())

@@ -69,7 +69,7 @@ void MillJob::readAndAlign(const std::string& scan)
     // Samples so near that the finest tool sinks less than a tenth of the tolerance
     // between them: R - sqrt(R^2 - s^2 / 2) at the middle of a square of edge s.
     const double sink = options_.tolerance / 10;
-    const double spacing = std::sqrt(4 * options_.finish.tool.radius() * sink);
+    const double spacing = std::sqrt(4 * options_.finish.tool.corner_radius * sink);
     prepared = prepareScan(raw,
                            {options_.mm_per_unit, options_.fit},
                            1.0 / (spacing * spacing),
@@ -172,7 +172,7 @@ void MillJob::makeMap()
     const double void_between = std::max(scan_.spacing.median, 1e-3);
     double cell = options_.cell;
     if (cell <= 0)
-      cell = options_.rough.tool.diameter / 20;
+      cell = options_.rough.tool.endDiameter() / 20;
     // A very large part gets coarser cells rather than hours.
     const Eigen::Vector4f size =
         part_->getMatrixXfMap().rowwise().maxCoeff().head<4>() -

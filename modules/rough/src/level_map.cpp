@@ -68,7 +68,8 @@ LevelMap::LevelMap(const CellCloud& map,
                    double min_thickness,
                    double min_width,
                    unsigned threads)
-    : threads_(threads), grid_(CellGrid::of(map)), radius_(tool.radius())
+    : threads_(threads), grid_(CellGrid::of(map)), radius_(tool.radius()),
+      end_radius_(tool.endDiameter() / 2)
 {
   // The map's grid, extended so that the tool can run round the stock and the part.
   const CellGrid cells = grid_;
@@ -115,8 +116,8 @@ void LevelMap::dropOnCells(const CellCloud& map, const Tool& grown, double allow
 void LevelMap::dropOnPoints(const PointIndex& part, const Tool& tool, double allowance)
 {
   // Wider by what a point may be nearer to a move between two nodes than to the nearer
-  // of them: the sagitta of half a diagonal step.
-  const double r = tool.radius() + allowance;
+  // of them: the sagitta of half a diagonal step, at the end, where it is largest.
+  const double r = tool.tipRadius() + allowance;
   const double wider = std::sqrt(r * r + grid_.cell * grid_.cell / 2) - r + 1e-4;
   const Tool grown = tool.grown(allowance + wider);
   lowest_.assign(grid_.size(), kNothing);
@@ -143,8 +144,8 @@ void LevelMap::measureStock(const StockField& stock,
       standing[grid_.index(c, r)] =
           static_cast<float>(stock.highest(grid_.x(c), grid_.y(r), cell / 4));
   // Under the tool for certain: what a pass over the node would cut away.
-  const double certain =
-      std::max(0.0, tool.radius() - std::sqrt(2.0) * stock.cellSize());
+  const double unsure = std::sqrt(2.0) * stock.cellSize();
+  const double certain = std::max(0.0, tool.radius() - unsure);
   const auto under = [&](double dx, double dy) {
     const double d = std::hypot(dx, dy);
     return d <= certain ? tool.profile(d) : std::numeric_limits<double>::infinity();
@@ -169,11 +170,12 @@ void LevelMap::measureStock(const StockField& stock,
       if (thin[i] || to_core[i] > half_width)
         standing[i] = kNothing;
   }
-  const auto flat = [&](double dx, double dy) {
-    return std::isfinite(under(dx, dy)) ? 0.0 : std::numeric_limits<double>::infinity();
+  const double end = std::max(0.0, end_radius_ - unsure);
+  const auto under_end = [&](double dx, double dy) {
+    return std::hypot(dx, dy) <= end ? 0.0 : std::numeric_limits<double>::infinity();
   };
   stock_top_ =
-      filterMax(grid_, standing, footprint(tool.radius(), cell, flat), threads_);
+      filterMax(grid_, standing, footprint(end_radius_, cell, under_end), threads_);
 }
 
 std::vector<int> LevelMap::regions(double floor) const

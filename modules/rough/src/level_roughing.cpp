@@ -48,7 +48,8 @@ std::vector<Chain> piecesToCut(
     const LevelMap& map, const StockField& work, const Chain& loop, double z, int gap)
 {
   // highest() looks half a diagonal further; cut() cuts what is half a diagonal inside.
-  const double certain = std::max(0.0, map.radius() - std::sqrt(2.0) * work.cellSize());
+  const double certain =
+      std::max(0.0, map.endRadius() - std::sqrt(2.0) * work.cellSize());
   std::vector<Chain> pieces;
   int idle = gap + 1;
   for (const Node n : loop) {
@@ -138,8 +139,8 @@ void LevelRoughing::checkParameters() const
 {
   validateParameters(*this, getName());
   tool_.validate();
-  if (step_over_ > tool_.diameter)
-    throw ParameterError(getName() + ": the step-over is wider than the tool");
+  if (step_over_ > tool_.endDiameter())
+    throw ParameterError(getName() + ": the step-over is wider than the tool's end");
 }
 
 void LevelRoughing::apply(CLCloud& output)
@@ -173,7 +174,7 @@ void LevelRoughing::apply(CLCloud& output)
   ZSlices slices;
   slices.setZLimits(floor, stock->stock().top());
   slices.setPitch(step_down_ > 0 ? step_down_
-                                 : ZSlices::pitchForDiameter(tool_.diameter));
+                                 : ZSlices::pitchForDiameter(tool_.endDiameter()));
   const auto levels = slices.levels();
   const LevelMap map(*input_,
                      part_.get(),

@@ -2,7 +2,6 @@
 // Copyright (c) 2026, the PointMill authors
 #include <pointmill/surface/contact.h>
 
-#include <algorithm>
 #include <cmath>
 
 namespace pointmill {
@@ -10,15 +9,14 @@ namespace pointmill {
 Eigen::Vector3d
 contactNormal(const Tool& tool, double x, double y, const Contact& contact)
 {
-  if (!contact.touches() || tool.isFlat())
+  if (!contact.touches())
     return Eigen::Vector3d::UnitZ();
   Eigen::Vector2d inward(x - contact.at.x(), y - contact.at.y());
-  const double d = inward.norm(), u = d - (tool.radius() - tool.corner_radius);
-  if (u <= 0)
+  const double d = inward.norm(), steepness = tool.profile().steepness(d);
+  if (steepness <= 0)
     return Eigen::Vector3d::UnitZ();
-  inward *= u / d / tool.corner_radius;
-  const double up = std::sqrt(std::max(0.0, 1.0 - inward.squaredNorm()));
-  return {inward.x(), inward.y(), up};
+  inward *= steepness / d;
+  return {inward.x(), inward.y(), std::sqrt(1.0 - steepness * steepness)};
 }
 
 } // namespace pointmill

@@ -124,18 +124,19 @@ Contact PointIndex::drop(const Tool& tool, double x, double y) const
 {
   Contact best;
   const double radius2 = tool.radius() * tool.radius();
-  const bool ball = tool.isBall();
-  const double r = tool.radius();
+  const CutterProfile cutter = tool.profile();
+  const bool ball = cutter.isBall();
+  const double r = cutter.radius();
   scan(
       x, y, x, y, r, [&](double top, double away, std::size_t first, std::size_t last) {
-        if (top <= best.tip || top - tool.profile(std::min(away, r)) <= best.tip)
+        if (top <= best.tip || top - cutter.height(std::min(away, r)) <= best.tip)
           return;
         for (std::size_t i = first; i < last; ++i) {
           const double dx = x_[i] - x, dy = y_[i] - y, d2 = dx * dx + dy * dy;
           if (d2 > radius2 || z_[i] <= best.tip)
             continue;
           const double tip = ball ? z_[i] - (r - std::sqrt(radius2 - d2))
-                                  : z_[i] - tool.profile(std::sqrt(d2));
+                                  : z_[i] - cutter.height(std::sqrt(d2));
           if (tip > best.tip) {
             best.tip = tip;
             best.point = static_cast<std::int64_t>(i);
@@ -163,6 +164,7 @@ double PointIndex::dropAlong(
     const Tool& tool, double ax, double ay, double bx, double by) const
 {
   double best = kNothing;
+  const CutterProfile cutter = tool.profile();
   const double radius2 = tool.radius() * tool.radius();
   scan(ax,
        ay,
@@ -170,14 +172,14 @@ double PointIndex::dropAlong(
        by,
        tool.radius(),
        [&](double top, double away, std::size_t first, std::size_t last) {
-         if (top - tool.profile(std::min(away, tool.radius())) <= best)
+         if (top - cutter.height(std::min(away, tool.radius())) <= best)
            return;
          for (std::size_t i = first; i < last; ++i) {
            if (z_[i] <= best)
              continue;
            const double d2 = segmentDistance2(ax, ay, bx, by, x_[i], y_[i]);
            if (d2 <= radius2)
-             best = std::max(best, z_[i] - tool.profile(std::sqrt(d2)));
+             best = std::max(best, z_[i] - cutter.height(std::sqrt(d2)));
          }
        });
   return best;
@@ -189,6 +191,7 @@ double PointIndex::gouge(const Tool& tool,
                          double tolerance) const
 {
   double worst = tolerance;
+  const CutterProfile cutter = tool.profile();
   const double lowest = std::min(a.z(), b.z());
   scan(a.x(),
        a.y(),
@@ -196,11 +199,11 @@ double PointIndex::gouge(const Tool& tool,
        b.y(),
        tool.radius() - tolerance,
        [&](double top, double away, std::size_t first, std::size_t last) {
-         if (top <= lowest + tool.profile(std::min(away, tool.radius())) + worst)
+         if (top <= lowest + cutter.height(std::min(away, tool.radius())) + worst)
            return;
          for (std::size_t i = first; i < last; ++i)
            if (z_[i] > lowest + worst)
-             worst = std::max(worst, penetration(tool, a, b, point(i)));
+             worst = std::max(worst, penetration(cutter, a, b, point(i)));
        });
   return worst > tolerance ? worst : 0.0;
 }

@@ -42,7 +42,8 @@ Cut StockField::cut(const Tool& tool,
                     int row0,
                     int row1)
 {
-  const double r = tool.radius();
+  const CutterProfile cutter = tool.profile();
+  const double r = cutter.radius();
   const auto index = [&](double v, double origin) {
     return static_cast<int>(
         std::clamp((v - origin) / cell_ - 0.5, -1e9, 1e9)); // towards zero: wide enough
@@ -75,10 +76,10 @@ Cut StockField::cut(const Tool& tool,
         const double d = std::sqrt(ex * ex + ey * ey) + guard;
         if (d > r)
           continue;
-        h = a.z() + t * (b.z() - a.z()) + tool.profile(d);
+        h = a.z() + t * (b.z() - a.z()) + cutter.height(d);
       }
       else
-        h = sweptHeight(tool, a, b, cx, cy);
+        h = sweptHeight(cutter, a, b, cx, cy);
       if (h < line[column]) {
         taken.depth = std::max(taken.depth, line[column] - h);
         taken.volume += (line[column] - h) * cell_ * cell_;

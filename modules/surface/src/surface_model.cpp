@@ -27,10 +27,14 @@ Vector3d
 touch(const Tool& tool, const Vector2d& axis, const Vector3d& q, const Vector3d& m)
 {
   const Vector2d aside = m.head<2>();
-  const double sine = aside.norm(), flat = tool.radius() - tool.corner_radius;
+  const double sine = aside.norm();
+  // A cone's side has one slope; what is steeper touches its shoulder.
+  const bool side = tool.isTapered() && sine > std::cos(tool.taper * M_PI / 180);
+  const double rounding = side ? tool.shoulder_radius : tool.corner_radius;
+  const double straight = side ? tool.radius() - rounding : tool.flatRadius();
   Vector2d at = axis;
   if (sine > 1e-12) // uphill of the axis
-    at -= aside * ((flat + tool.corner_radius * sine) / sine);
+    at -= aside * ((straight + rounding * sine) / sine);
   const double z = q.z() - aside.dot(at - q.head<2>()) / m.z();
   return {at.x(), at.y(), z};
 }
@@ -63,7 +67,7 @@ void SurfaceModel::restOnPatch(const Tool& tool,
     for (const int share : {1, 2}) { // curved ground may need a smaller one
       near.gather(
           *points_, place, static_cast<std::size_t>(smooth_.neighbours / share));
-      if (tool.isFlat())
+      if (tool.corner_radius <= 0) // the contact of a sharp edge tells no normal
         normal = near.planeNormal();
       fits = patch.fit(near, normal) &&
              patch.residual() <= smooth_.fidelity + kRoughness * near.radius;

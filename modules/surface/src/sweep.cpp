@@ -11,15 +11,15 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// Smallest value of the convex f on [lo, hi], by golden section.
+/// Largest value of the concave f on [lo, hi], by golden section.
 template <typename F>
-double minimumOf(double lo, double hi, F f)
+double maximumOf(double lo, double hi, F f)
 {
   const double golden = 0.5 * (std::sqrt(5.0) - 1.0);
   double u = hi - golden * (hi - lo), v = lo + golden * (hi - lo);
-  double fu = f(u), fv = f(v), best = std::min({f(lo), f(hi), fu, fv});
+  double fu = f(u), fv = f(v), best = std::max({f(lo), f(hi), fu, fv});
   for (int i = 0; i < 45; ++i) {
-    if (fu < fv) {
+    if (fu > fv) {
       hi = v;
       v = u;
       fv = fu;
@@ -33,36 +33,25 @@ double minimumOf(double lo, double hi, F f)
       v = lo + golden * (hi - lo);
       fv = f(v);
     }
-    best = std::min({best, fu, fv});
+    best = std::max({best, fu, fv});
   }
   return best;
 }
 
-/// Signed distance from a point to the tool's core, the solid that a ball of the corner
-/// radius rolls round to give the cutter: a vertical cylinder of radius `flat` that
-/// stands on `foot` and has no top. @p d is the horizontal distance to the axis.
-double distanceToCore(double flat, double foot, double d, double z)
-{
-  const double side = d - flat, below = foot - z;
-  if (side > 0 && below > 0)
-    return std::hypot(side, below);
-  return std::max(side, below);
-}
-
 } // namespace
 
-double sweptHeight(const Tool& tool,
+double sweptHeight(const CutterProfile& cutter,
                    const Eigen::Vector3d& a,
                    const Eigen::Vector3d& b,
                    double x,
                    double y)
 {
   const double dx = b.x() - a.x(), dy = b.y() - a.y(), dz = b.z() - a.z();
-  const double len2 = dx * dx + dy * dy, radius2 = tool.radius() * tool.radius();
+  const double len2 = dx * dx + dy * dy, radius2 = cutter.radius() * cutter.radius();
   if (len2 < 1e-24) { // a vertical move: the lower end decides
     const double d2 = (x - a.x()) * (x - a.x()) + (y - a.y()) * (y - a.y());
     return d2 > radius2 ? kInfinity
-                        : std::min(a.z(), b.z()) + tool.profile(std::sqrt(d2));
+                        : std::min(a.z(), b.z()) + cutter.height(std::sqrt(d2));
   }
   const double middle = ((x - a.x()) * dx + (y - a.y()) * dy) / len2;
   const double ex = a.x() + middle * dx - x, ey = a.y() + middle * dy - y;
@@ -74,52 +63,49 @@ double sweptHeight(const Tool& tool,
                last = std::min(1.0, middle + half);
   if (first > last)
     return kInfinity;
-  const auto height = [&](double t) {
-    const double d2 = off2 + (t - middle) * (t - middle) * len2;
-    return a.z() + t * dz + tool.profile(std::sqrt(std::min(d2, radius2)));
-  };
-  if (tool.isFlat())
-    return a.z() + (dz < 0 ? last : first) * dz;
-  if (dz == 0)
-    return height(std::clamp(middle, first, last));
-  if (tool.isBall()) {
-    // The circle that the ball leaves at this distance, rolled down the slope.
-    const double length = std::sqrt(len2), slope = dz / length;
-    const double shift = std::sqrt((radius2 - off2)) * slope / std::hypot(1.0, slope);
-    return height(std::clamp(middle - shift / length, first, last));
+  double lowest = middle; // where the whole line, not only the move, is lowest
+  if (dz != 0) {
+    const double length = std::sqrt(len2);
+    const double ahead = cutter.ahead(std::sqrt(off2), std::abs(dz) / length) / length;
+    lowest += dz < 0 ? ahead : -ahead;
   }
-  return minimumOf(first, last, height);
+  const double t = std::clamp(lowest, first, last); // the height is convex along it
+  const double d2 = off2 + (t - middle) * (t - middle) * len2;
+  return a.z() + t * dz + cutter.height(std::sqrt(std::min(d2, radius2)));
 }
 
-double penetration(const Tool& tool,
+double penetration(const CutterProfile& cutter,
                    const Eigen::Vector3d& a,
                    const Eigen::Vector3d& b,
                    const Eigen::Vector3d& p)
 {
-  const double corner = tool.corner_radius, flat = tool.radius() - corner;
   const double dx = b.x() - a.x(), dy = b.y() - a.y(), dz = b.z() - a.z();
   const double len2 = dx * dx + dy * dy;
-  const auto core = [&](double t) {
+  const auto depth = [&](double t) {
     const double d = std::hypot(a.x() + t * dx - p.x(), a.y() + t * dy - p.y());
-    return distanceToCore(flat, a.z() + t * dz + corner, d, p.z());
+    return cutter.depth(d, p.z() - a.z() - t * dz);
   };
   if (len2 < 1e-24)
-    return corner - core(dz < 0 ? 1.0 : 0.0);
+    return depth(dz < 0 ? 1.0 : 0.0);
   const double middle = ((p.x() - a.x()) * dx + (p.y() - a.y()) * dy) / len2;
   const double nearest = std::clamp(middle, 0.0, 1.0);
   if (dz == 0)
-    return corner - core(nearest);
-  if (tool.isBall()) {
-    // The core sweeps a vertical sheet: above the slanted line of ball centres.
-    if (p.z() >= a.z() + nearest * dz + corner)
-      return corner - core(nearest);
+    return depth(nearest);
+  if (cutter.isBall()) {
+    // The ball's core sweeps a vertical sheet: above the slanted line of its centres.
+    const double centre = a.z() + cutter.radius();
+    if (p.z() >= centre + nearest * dz)
+      return depth(nearest);
     const double squared = len2 + dz * dz;
     const double t =
-        ((p.x() - a.x()) * dx + (p.y() - a.y()) * dy + (p.z() - a.z() - corner) * dz) /
-        squared;
-    return corner - std::min(core(std::clamp(t, 0.0, 1.0)), core(nearest));
+        ((p.x() - a.x()) * dx + (p.y() - a.y()) * dy + (p.z() - centre) * dz) / squared;
+    return std::max(depth(std::clamp(t, 0.0, 1.0)), depth(nearest));
   }
-  return corner - minimumOf(0.0, 1.0, core); // the distance to a convex solid is convex
+  // Nearly all points that are asked for are outside, which is known sooner.
+  const double above = p.z() - sweptHeight(cutter, a, b, p.x(), p.y());
+  if (above <= 0)
+    return above;
+  return maximumOf(0.0, 1.0, depth); // depth in a convex solid is concave
 }
 
 } // namespace pointmill

@@ -40,7 +40,7 @@ Quantiles quantiles(std::vector<float>& values)
 class Envelope {
 public:
   Envelope(const PointIndex& part, const Tool& tool, double floor, unsigned threads)
-      : part_(part), tool_(tool), floor_(floor), cell_(tool.radius() / 8),
+      : part_(part), tool_(tool), cutter_(tool.profile()), floor_(floor), cell_(tool.radius() / 8),
         x0_(part.min().x() - tool.radius()), y0_(part.min().y() - tool.radius())
   {
     const Eigen::Vector3d size = part.max() - part.min();
@@ -68,7 +68,7 @@ public:
         if (tip >= best)
           continue;
         const double x = x0_ + i * cell_, y = y0_ + j * cell_;
-        const double h = tip + tool_.profile(std::hypot(x - p.x(), y - p.y()));
+        const double h = tip + cutter_.height(std::hypot(x - p.x(), y - p.y()));
         if (h < best) {
           best = h;
           bx = x;
@@ -87,7 +87,7 @@ public:
         if (d > tool_.radius())
           continue;
         const double tip = std::max(floor_, part_.drop(tool_, tx, ty).tip);
-        const double h = tip + tool_.profile(d);
+        const double h = tip + cutter_.height(d);
         if (h < best) {
           best = h;
           bx = tx;
@@ -106,6 +106,7 @@ private:
 
   const PointIndex& part_;
   Tool tool_;
+  CutterProfile cutter_;
   double floor_, cell_, x0_, y0_;
   int columns_ = 0, rows_ = 0, reach_ = 0;
   std::vector<float> tip_;
@@ -131,7 +132,8 @@ Gouges sweepPoints(const PointIndex& part,
     std::vector<std::size_t> gouged;
     for (const auto k : bands[band]) {
       const SweptMove& m = moves[k];
-      const double r = m.tool->radius(), lowest = std::min(m.a.z(), m.b.z());
+      const CutterProfile cutter = m.tool->profile();
+      const double r = cutter.radius(), lowest = std::min(m.a.z(), m.b.z());
       const double x0 = std::min(m.a.x(), m.b.x()) - r,
                    x1 = std::max(m.a.x(), m.b.x()) + r;
       if (x1 < part.min().x() || x0 > part.max().x())
@@ -141,18 +143,18 @@ Gouges sweepPoints(const PointIndex& part,
         if (lowest >= height[q] && lowest + tolerance >= part.point(q).z())
           continue;
         const Eigen::Vector3d p = part.point(q);
-        const double h = sweptHeight(*m.tool, m.a, m.b, p.x(), p.y());
+        const double h = sweptHeight(cutter, m.a, m.b, p.x(), p.y());
         if (h < height[q])
           height[q] = static_cast<float>(h);
         if (p.z() - h > tolerance) { // at most as deep inside as below
-          const double depth = penetration(*m.tool, m.a, m.b, p);
+          const double depth = penetration(cutter, m.a, m.b, p);
           if (depth > tolerance)
             gouged.push_back(q);
           if (depth > worst[band].depth)
             worst[band] = {depth, q, m.line, 0};
         }
         else if (p.z() - h > worst[band].depth) {
-          const double depth = penetration(*m.tool, m.a, m.b, p);
+          const double depth = penetration(cutter, m.a, m.b, p);
           if (depth > worst[band].depth)
             worst[band] = {depth, q, m.line, 0};
         }

@@ -19,6 +19,7 @@ Tool shrunk(const Tool& tool, double e)
   Tool small = tool;
   small.diameter = std::max(0.0, tool.diameter - 2 * e);
   small.corner_radius = std::max(0.0, tool.corner_radius - e);
+  small.tip_diameter = std::max(0.0, tool.tip_diameter - 2 * e);
   return small;
 }
 

@@ -28,8 +28,9 @@ namespace pointmill {
 ///
 /// - Where a move takes more than a tenth of the diameter squared as cross-section, its
 ///   feed falls in proportion.
-/// - A flat end mill may not cut at its centre: passes that it would have to enter
-///   straight down are left out ("skipped" in the report) for a later tool.
+/// - A tool with a flat on its end (flat, bull nose) may not cut at its centre: passes
+///   that it would have to enter straight down are left out ("skipped" in the report)
+///   for a later tool.
 ///
 /// The stock is cut along, so that the next operation knows what stands.
 class LinkPasses : public Filter<PointCL> {

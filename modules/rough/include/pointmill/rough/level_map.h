@@ -47,7 +47,9 @@ public:
            unsigned threads = 0);
 
   const CellGrid& grid() const { return grid_; }
-  double radius() const { return radius_; }
+  /// @brief Radius of the tool's end, within which a pass clears its level; the cone of
+  /// a tapered tool only brushes what stands higher beside it.
+  double endRadius() const { return end_radius_; }
   bool has(Node n) const { return grid_.has(n.column, n.row); }
   double x(Node n) const { return grid_.x(n.column); }
   double y(Node n) const { return grid_.y(n.row); }
@@ -77,7 +79,7 @@ private:
 
   unsigned threads_;
   CellGrid grid_;
-  double radius_;
+  double radius_, end_radius_;
   std::vector<float> lowest_, stock_top_;
 };
 

@@ -8,25 +8,41 @@
 
 namespace pointmill {
 
-/// @brief Lowest height [mm] that the tool's lower surface reaches over (x, y) while
+/// @brief Lowest height [mm] that the cutter's lower surface reaches over (x, y) while
 /// its tip moves straight from @p a to @p b; infinite where it never passes over.
-/// Closed form for flat and ball, a convex search (to 1e-9 of the move) for a bull
-/// nose.
-double sweptHeight(const Tool& tool,
+/// Closed forms, but for a slanted move whose lowest place over (x, y) is on the torus
+/// of a bull nose: there a root, to rounding.
+double sweptHeight(const CutterProfile& cutter,
                    const Eigen::Vector3d& a,
                    const Eigen::Vector3d& b,
                    double x,
                    double y);
+inline double sweptHeight(const Tool& tool,
+                          const Eigen::Vector3d& a,
+                          const Eigen::Vector3d& b,
+                          double x,
+                          double y)
+{
+  return sweptHeight(tool.profile(), a, b, x, y);
+}
 
-/// @brief How deep [mm] the point @p p gets inside the tool whose tip moves straight
-/// from
-/// @p a to @p b: its distance to the tool's surface from inside, or <= 0 where it stays
-/// outside. The tool reaches up without end; its top is no surface. Beside a vertical
-/// wall this is the horizontal overlap, however high the wall.
-double penetration(const Tool& tool,
+/// @brief How deep [mm] the point @p p gets inside the cutter whose tip moves straight
+/// from @p a to @p b: its distance to the cutter's surface from inside, or some number
+/// <= 0 where it stays outside. The cutter reaches up without end; its top is no
+/// surface. Beside a vertical wall this is the horizontal overlap, however high the
+/// wall. On level moves, plunges and for balls a closed form, else a convex search (to
+/// 1e-9 of the move).
+double penetration(const CutterProfile& cutter,
                    const Eigen::Vector3d& a,
                    const Eigen::Vector3d& b,
                    const Eigen::Vector3d& p);
+inline double penetration(const Tool& tool,
+                          const Eigen::Vector3d& a,
+                          const Eigen::Vector3d& b,
+                          const Eigen::Vector3d& p)
+{
+  return penetration(tool.profile(), a, b, p);
+}
 
 /// @brief Squared distance [mm2] in XY from (x, y) to the segment @p a @p b.
 inline double
