@@ -113,67 +113,6 @@ private:
 
 } // namespace
 
-Gouges sweepPoints(const PointIndex& part,
-                   const std::vector<SweptMove>& moves,
-                   double tolerance,
-                   unsigned threads,
-                   std::vector<float>& height)
-{
-  const Bands bands(moves, part.min().y(), part.cellSize(), part.rows());
-  height.assign(part.size(), std::numeric_limits<float>::infinity());
-  struct Worst {
-    double depth = 0;
-    std::size_t point = 0, line = 0, count = 0;
-  };
-  std::vector<Worst> worst(static_cast<std::size_t>(bands.count()));
-  parallelFor(worst.size(), threads, [&](std::size_t band) {
-    const int row = static_cast<int>(band);
-    std::vector<std::size_t> gouged;
-    for (const auto k : bands[band]) {
-      const SweptMove& m = moves[k];
-      const double r = m.tool->radius(), lowest = std::min(m.a.z(), m.b.z());
-      const double x0 = std::min(m.a.x(), m.b.x()) - r,
-                   x1 = std::max(m.a.x(), m.b.x()) + r;
-      if (x1 < part.min().x() || x0 > part.max().x())
-        continue;
-      const auto [first, last] = part.cells(row, part.columnOf(x0), part.columnOf(x1));
-      for (std::size_t q = first; q < last; ++q) {
-        if (lowest >= height[q] && lowest + tolerance >= part.point(q).z())
-          continue;
-        const Eigen::Vector3d p = part.point(q);
-        const double h = sweptHeight(*m.tool, m.a, m.b, p.x(), p.y());
-        if (h < height[q])
-          height[q] = static_cast<float>(h);
-        if (p.z() - h > tolerance) { // at most as deep inside as below
-          const double depth = penetration(*m.tool, m.a, m.b, p);
-          if (depth > tolerance)
-            gouged.push_back(q);
-          if (depth > worst[band].depth)
-            worst[band] = {depth, q, m.line, 0};
-        }
-        else if (p.z() - h > worst[band].depth) {
-          const double depth = penetration(*m.tool, m.a, m.b, p);
-          if (depth > worst[band].depth)
-            worst[band] = {depth, q, m.line, 0};
-        }
-      }
-    }
-    std::sort(gouged.begin(), gouged.end());
-    worst[band].count = static_cast<std::size_t>(
-        std::unique(gouged.begin(), gouged.end()) - gouged.begin());
-  });
-  Gouges gouges;
-  for (const auto& w : worst) {
-    gouges.count += w.count;
-    if (w.depth > gouges.depth) {
-      gouges.depth = w.depth;
-      gouges.at = part.point(w.point);
-      gouges.line = w.line;
-    }
-  }
-  return gouges;
-}
-
 void judgePoints(const PointIndex& part,
                  const std::vector<SweptMove>& moves,
                  double tolerance,
