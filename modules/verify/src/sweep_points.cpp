@@ -6,6 +6,7 @@
 
 #include <pointmill/common/parallel.h>
 #include <pointmill/surface/sweep.h>
+#include <pointmill/surface/sweep_bound.h>
 
 #include <algorithm>
 #include <cmath>
@@ -15,40 +16,9 @@ namespace pointmill {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-/// Bounds are lower by this than rounding could make them [mm].
-constexpr double kRounding = 1e-9;
 /// Tiles of this part of the thinnest tool's radius: their bounds are tight, and they
 /// still hold points enough to be worth a bound for each move.
 constexpr double kTilesPerRadius = 4;
-
-/// A lower bound of sweptHeight() over all places within `radius` of (x, y): the lowest
-/// tip from which the tool gets there, and the least height of its surface there.
-double lowestOver(const SweptMove& m, double x, double y, double radius)
-{
-  const Tool& tool = *m.tool;
-  const double reach = tool.radius() + radius;
-  const double dx = m.b.x() - m.a.x(), dy = m.b.y() - m.a.y();
-  const double ex = x - m.a.x(), ey = y - m.a.y(), len2 = dx * dx + dy * dy;
-  double low = std::min(m.a.z(), m.b.z()), nearest = 0;
-  if (len2 >= 1e-24) {
-    const double middle = (ex * dx + ey * dy) / len2;
-    const double ox = ex - middle * dx, oy = ey - middle * dy;
-    const double room = reach * reach - ox * ox - oy * oy;
-    if (room < 0)
-      return kInfinity;
-    const double half = std::sqrt(room / len2) + kRounding, dz = m.b.z() - m.a.z();
-    const double first = std::max(0.0, middle - half);
-    const double last = std::min(1.0, middle + half);
-    if (first > last)
-      return kInfinity;
-    low = m.a.z() + (dz < 0 ? last : first) * dz;
-    nearest = std::clamp(middle, 0.0, 1.0);
-  }
-  const double ox = ex - nearest * dx, oy = ey - nearest * dy;
-  const double away = std::sqrt(ox * ox + oy * oy) - radius - kRounding;
-  return away > tool.radius() ? kInfinity
-                              : low + tool.profile(std::max(0.0, away)) - kRounding;
-}
 
 /// The deepest that a point gets inside a tool; of equals the first in the program.
 struct Deepest {
@@ -77,7 +47,9 @@ public:
   {
     candidates_.clear();
     for (const auto k : near) {
-      const double bound = lowestOver(moves_[k], tile.x, tile.y, tile.radius);
+      const SweptMove& m = moves_[k];
+      const double bound =
+          sweptHeightBound(*m.tool, m.a, m.b, tile.x, tile.y, tile.radius);
       if (bound < kInfinity)
         candidates_.add(bound, k);
     }
