@@ -57,8 +57,8 @@ public:
     height_.assign(tile.points.size(), std::numeric_limits<float>::infinity());
     gouged_.assign(tile.points.size(), 0);
     double roof = kInfinity; // no point's height is above it
-    while (!candidates_.empty() &&
-           (candidates_.best().bound < roof || tile.top - candidates_.best().bound >= shallow())) {
+    while (!candidates_.empty() && (candidates_.best().bound < roof ||
+                                    tile.top - candidates_.best().bound >= shallow())) {
       const auto [bound, k] = candidates_.take();
       for (std::size_t i = 0; i < tile.points.size(); ++i)
         if (bound < height_[i] || tile.points[i].z - bound >= shallow())
@@ -133,7 +133,8 @@ Gouges sweepPoints(const PointIndex& part,
     thinnest = std::min(thinnest, m.tool->radius());
   const Tiles tiles(part, thinnest / kTilesPerRadius);
   // Moves are dealt to square blocks of tiles about as wide as the tool.
-  const int block = static_cast<int>(std::clamp(thinnest / tiles.edge(), 1.0, kTilesPerRadius));
+  const int block =
+      static_cast<int>(std::clamp(thinnest / tiles.edge(), 1.0, kTilesPerRadius));
   const double edge = block * tiles.edge();
   const int columns = (tiles.columns() + block - 1) / block;
   const Bands bands(moves, part.min().y(), edge, (tiles.rows() + block - 1) / block);

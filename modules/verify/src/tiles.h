@@ -15,9 +15,9 @@ struct Tile {
     std::size_t index;
   };
   std::vector<Point> points;
-  double x = 0, y = 0;  ///< middle of the points
-  double radius = 0;    ///< all points are so near to the middle in XY [mm]
-  double top = 0;       ///< highest point [mm]
+  double x = 0, y = 0; ///< middle of the points
+  double radius = 0;   ///< all points are so near to the middle in XY [mm]
+  double top = 0;      ///< highest point [mm]
 };
 
 /// @brief Square tiles over the cells of an index: each point lies in one of them.
