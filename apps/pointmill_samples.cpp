@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the PointMill authors
 //
-// Writes the files of data/; see data/README.md. The same bytes at every run.
+// Writes the files of data/, see data/README.md, or the scan of the benchmarks. The
+// same bytes at every run.
+#include "freeform_scan.h"
+
 #include <pointmill_test/sample_part.h>
 #include <pointmill_test/shapes.h>
 
@@ -13,6 +16,7 @@
 #include <iostream>
 #include <limits>
 #include <string>
+#include <vector>
 
 namespace {
 
@@ -89,29 +93,47 @@ void place(Cloud& cloud)
   }
 }
 
+// The sample clouds, into an existing folder.
+void writeSamples(const std::string& folder)
+{
+  pcl::PCDWriter writer;
+  std::uint64_t seed = 1;
+  for (const auto& shape : pointmill_test::shapes()) {
+    const Cloud::Ptr cloud = pointmill_test::sample(shape, 0.5, seed++);
+    writer.writeBinary(folder + "/" + shape.name + ".pcd", *cloud);
+    std::cout << shape.name << ".pcd: " << cloud->size() << " points\n";
+  }
+  Random random(2026);
+  Cloud cloud = scan(random);
+  place(cloud);
+  writer.writeBinaryCompressed(folder + "/sample_scan.pcd", cloud);
+  std::cout << "sample_scan.pcd: " << cloud.size() << " points\n";
+}
+
+int usage()
+{
+  std::cerr << "usage: pointmill_samples FOLDER\n"
+               "       pointmill_samples --freeform POINTS [--noise MM] FILE\n"
+               "Writes PointMill's sample clouds into an existing folder, or a binary "
+               "PCD file\nwith random points of the freeform that the benchmarks "
+               "mill.\n";
+  return 2;
+}
+
 } // namespace
 
 int main(int argc, char** argv)
 {
-  if (argc != 2 || argv[1][0] == '-') {
-    std::cerr << "usage: pointmill_samples FOLDER\n"
-                 "Writes PointMill's sample clouds into an existing folder.\n";
-    return 2;
-  }
-  const std::string folder = argv[1];
+  const std::vector<std::string> words(argv + 1, argv + argc);
   try {
-    pcl::PCDWriter writer;
-    std::uint64_t seed = 1;
-    for (const auto& shape : pointmill_test::shapes()) {
-      const Cloud::Ptr cloud = pointmill_test::sample(shape, 0.5, seed++);
-      writer.writeBinary(folder + "/" + shape.name + ".pcd", *cloud);
-      std::cout << shape.name << ".pcd: " << cloud->size() << " points\n";
-    }
-    Random random(2026);
-    Cloud cloud = scan(random);
-    place(cloud);
-    writer.writeBinaryCompressed(folder + "/sample_scan.pcd", cloud);
-    std::cout << "sample_scan.pcd: " << cloud.size() << " points\n";
+    if (words.size() == 1 && words[0][0] != '-')
+      writeSamples(words[0]);
+    else if (words.size() == 3 && words[0] == "--freeform")
+      writeFreeformScan(words[2], std::stoull(words[1]), 0.0);
+    else if (words.size() == 5 && words[0] == "--freeform" && words[2] == "--noise")
+      writeFreeformScan(words[4], std::stoull(words[1]), std::stod(words[3]));
+    else
+      return usage();
   }
   catch (const std::exception& e) {
     std::cerr << "pointmill_samples: " << e.what() << "\n";

@@ -39,6 +39,41 @@ double squaring(const Polygon& points)
 
 } // namespace
 
+TEST(Rectangle, HullOfManyPointsIsThatOfTheHullsOfSomeOfThem)
+{
+  Random random(17);
+  const auto spot = [&](int shape) -> Eigen::Vector2d {
+    const double u = random.uniform(-1, 1), v = random.uniform(-1, 1);
+    const double angle = 3.14159265358979323846 * u;
+    switch (shape) {
+    case 0: // disc
+      return std::sqrt(std::abs(v)) * Eigen::Vector2d(std::cos(angle), std::sin(angle));
+    case 1: // rectangle
+      return {40 * u, 7 * v};
+    case 2: // thin strip
+      return {u, u + 1e-7 * v};
+    case 3: // grid: many on one line
+      return {std::floor(8 * u), std::floor(8 * v)};
+    default: // one place
+      return {3, 4};
+    }
+  };
+  for (int shape = 0; shape <= 4; ++shape)
+    for (const double turn : {0.0, 0.12, 0.79}) {
+      Polygon points, corners;
+      for (int i = 0; i < 5000; ++i)
+        points.push_back(spot(shape));
+      points = turned(points, turn);
+      for (std::size_t i = 0; i < points.size(); i += 500) {
+        const auto some = points.begin() + static_cast<std::ptrdiff_t>(i);
+        for (const auto& p : convexHull(Polygon(some, some + 500)))
+          corners.push_back(p);
+      }
+      ASSERT_LT(corners.size(), 1000u);
+      EXPECT_EQ(convexHull(points), convexHull(corners)) << shape << " " << turn;
+    }
+}
+
 TEST(Rectangle, HullIsConvexAndHoldsEveryPoint)
 {
   Random random(1);

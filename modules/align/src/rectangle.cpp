@@ -3,6 +3,7 @@
 #include <pointmill/align/rectangle.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -22,10 +23,43 @@ turn(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& 
   return (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
 }
 
+// Drops most points that are no corners of the hull: those that lie well inside the
+// octagon of the outermost points in eight directions (Akl and Toussaint, 1978).
+void dropInner(std::vector<Eigen::Vector2d>& points)
+{
+  const Eigen::Vector2d directions[] = {
+      {1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}};
+  std::array<Eigen::Vector2d, 8> corners; // counter-clockwise
+  corners.fill(points.front());
+  for (const auto& p : points)
+    for (int k = 0; k < 8; ++k)
+      if (p.dot(directions[k]) > corners[k].dot(directions[k]))
+        corners[k] = p;
+  const Eigen::Vector2d size(corners[0].x() - corners[4].x(),
+                             corners[2].y() - corners[6].y());
+  const double well = 1e-9 * size.squaredNorm(); // more than rounding
+  if (!(well > 0))
+    return;
+  points.erase(std::remove_if(points.begin(),
+                              points.end(),
+                              [&](const Eigen::Vector2d& p) {
+                                for (int k = 0; k < 8; ++k) {
+                                  const auto& a = corners[k];
+                                  const auto& b = corners[(k + 1) % 8];
+                                  if (a != b && turn(a, b, p) <= well)
+                                    return false;
+                                }
+                                return true;
+                              }),
+               points.end());
+}
+
 } // namespace
 
 Polygon convexHull(std::vector<Eigen::Vector2d> points)
 {
+  if (points.size() > 1000)
+    dropInner(points);
   // Andrew's monotone chain.
   std::sort(points.begin(), points.end(), [](const auto& a, const auto& b) {
     return a.x() < b.x() || (a.x() == b.x() && a.y() < b.y());

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the PointMill authors
 // From the file of a scan to the surface that is to be milled.
+#include <pointmill/align/strays.h>
 #include <pointmill/io/raw_scan.h>
 #include <pointmill/io/scan.h>
 #include <pointmill/mill/mill_job.h>
 #include <pointmill/surface/noise.h>
 #include <pointmill/surface/point_smoother.h>
-
-#include <pcl/filters/radius_outlier_removal.h>
 
 #include <algorithm>
 #include <cmath>
@@ -104,19 +103,17 @@ void MillJob::readAndAlign(const std::string& scan)
     scan_.spacing = measureSpacing(*part_, options_.seed);
     if (options_.remove_strays) {
       // A scan's points have company; dust, reflections and mixed pixels do not.
-      pcl::RadiusOutlierRemoval<pcl::PointXYZ> company;
-      company.setRadiusSearch(6 * std::max(scan_.spacing.median, 1e-3));
-      company.setMinNeighborsInRadius(6);
-      company.setInputCloud(part_);
-      pcl::PointCloud<pcl::PointXYZ>::Ptr kept(new pcl::PointCloud<pcl::PointXYZ>);
-      company.filter(*kept);
+      const pcl::Indices kept = pointsInCompany(
+          *part_, 6 * std::max(scan_.spacing.median, 1e-3), 6, options_.threads);
       // More than a few are no strays: the scan is like that, and taking real surface
       // away would let the tool cut there.
-      const std::size_t lonely = part_->size() - kept->size();
+      const std::size_t lonely = part_->size() - kept.size();
       if (lonely > 0 && lonely <= part_->size() * kMostStrays) {
         scan_.strays = lonely; // and the datum may have hung on one
         align.setUp(Up::Z);
-        to_part = run(kept) * to_part;
+        to_part = run(pcl::PointCloud<pcl::PointXYZ>::ConstPtr(
+                      new pcl::PointCloud<pcl::PointXYZ>(*part_, kept))) *
+                  to_part;
       }
     }
     Eigen::Matrix4d back = Eigen::Matrix4d::Identity();

@@ -4,12 +4,19 @@
 #include <pointmill/common/parameters.h>
 #include <pointmill/surface/stock_field.h>
 #include <pointmill/surface/sweep.h>
+#include <pointmill/surface/sweep_bound.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 namespace pointmill {
+namespace {
+
+/// Cells of a row that are passed over at once where nothing can happen to them.
+constexpr int kRun = 8;
+
+} // namespace
 
 StockField::StockField(const Stock& stock, double cell, Bound bound)
     : stock_(stock), cell_(cell), bound_(bound)
@@ -28,6 +35,8 @@ StockField::StockField(const Stock& stock, double cell, Bound bound)
     std::fill(height_.begin(),
               height_.end(),
               std::nextafter(height_.front(), std::numeric_limits<float>::infinity()));
+  runs_ = (columns_ + kRun - 1) / kRun;
+  top_.assign(static_cast<std::size_t>(runs_) * rows_, height_.front());
 }
 
 int StockField::rowOf(double y) const
@@ -43,7 +52,7 @@ Cut StockField::cut(const Tool& tool,
                     int row1)
 {
   const CutterProfile cutter = tool.profile();
-  const double r = cutter.radius();
+  const double r = tool.radius();
   const auto index = [&](double v, double origin) {
     return static_cast<int>(
         std::clamp((v - origin) / cell_ - 0.5, -1e9, 1e9)); // towards zero: wide enough
@@ -58,37 +67,48 @@ Cut StockField::cut(const Tool& tool,
   const double lowest = std::min(a.z(), b.z());
   const double dx = b.x() - a.x(), dy = b.y() - a.y(), len2 = dx * dx + dy * dy;
   Cut taken;
+  const auto cutCell = [&](float& cell, double cx, double cy) {
+    if (cell <= lowest)
+      return;
+    double h;
+    if (guard > 0) {
+      // From the place nearest to the cell the whole cell is under the cutter, or it
+      // is left as it stands; the outermost part of the cell counts for its height.
+      double t = len2 > 0 ? ((cx - a.x()) * dx + (cy - a.y()) * dy) / len2
+                          : double(b.z() < a.z());
+      t = std::clamp(t, 0.0, 1.0);
+      const double ex = a.x() + t * dx - cx, ey = a.y() + t * dy - cy;
+      const double d = std::sqrt(ex * ex + ey * ey) + guard;
+      if (d > r)
+        return;
+      h = a.z() + t * (b.z() - a.z()) + cutter.height(d);
+    }
+    else
+      h = sweptHeight(cutter, a, b, cx, cy);
+    if (h < cell) {
+      taken.depth = std::max(taken.depth, cell - h);
+      taken.volume += (cell - h) * cell_ * cell_;
+      // float32 must not round an upper bound down
+      float stored = static_cast<float>(h);
+      if (guard > 0 && stored < h)
+        stored = std::nextafter(stored, std::numeric_limits<float>::infinity());
+      cell = stored;
+    }
+  };
   for (int row = r0; row <= r1; ++row) {
     float* line = &height_[static_cast<std::size_t>(row) * columns_];
+    float* tops = &top_[static_cast<std::size_t>(row) * runs_];
     const double cy = y(row);
-    for (int column = c0; column <= c1; ++column) {
-      if (line[column] <= lowest)
+    for (int run = c0 / kRun; run * kRun <= c1; ++run) {
+      const int first = run * kRun, last = std::min(columns_, first + kRun) - 1;
+      if (tops[run] <= lowest)
         continue;
-      const double cx = x(column);
-      double h;
-      if (guard > 0) {
-        // From the place nearest to the cell the whole cell is under the cutter, or it
-        // is left as it stands; the outermost part of the cell counts for its height.
-        double t = len2 > 0 ? ((cx - a.x()) * dx + (cy - a.y()) * dy) / len2
-                            : double(b.z() < a.z());
-        t = std::clamp(t, 0.0, 1.0);
-        const double ex = a.x() + t * dx - cx, ey = a.y() + t * dy - cy;
-        const double d = std::sqrt(ex * ex + ey * ey) + guard;
-        if (d > r)
-          continue;
-        h = a.z() + t * (b.z() - a.z()) + cutter.height(d);
-      }
-      else
-        h = sweptHeight(cutter, a, b, cx, cy);
-      if (h < line[column]) {
-        taken.depth = std::max(taken.depth, line[column] - h);
-        taken.volume += (line[column] - h) * cell_ * cell_;
-        // float32 must not round an upper bound down
-        float stored = static_cast<float>(h);
-        if (guard > 0 && stored < h)
-          stored = std::nextafter(stored, std::numeric_limits<float>::infinity());
-        line[column] = stored;
-      }
+      const double middle = 0.5 * (x(first) + x(last));
+      if (sweptHeightBound(cutter, a, b, middle, cy, middle - x(first)) >= tops[run])
+        continue;
+      for (int column = std::max(c0, first); column <= std::min(c1, last); ++column)
+        cutCell(line[column], x(column), cy);
+      tops[run] = *std::max_element(line + first, line + last + 1);
     }
   }
   return taken;
@@ -112,11 +132,17 @@ StockField::highest(double ax, double ay, double bx, double by, double radius) c
   const int r0 = std::max(0, low(std::min(ay, by), stock_.min.y()));
   const int r1 = std::min(rows_ - 1, high(std::max(ay, by), stock_.min.y()));
   for (int row = r0; row <= r1; ++row)
-    for (int column = c0; column <= c1; ++column) {
-      const double h = height(column, row);
-      if (h > best &&
-          segmentDistance2(ax, ay, bx, by, x(column), y(row)) <= reach * reach)
-        best = h;
+    for (int run = c0 / kRun; run * kRun <= c1; ++run) {
+      if (top_[static_cast<std::size_t>(row) * runs_ + run] <= best)
+        continue;
+      const int first = std::max(c0, run * kRun);
+      const int last = std::min(c1, run * kRun + kRun - 1);
+      for (int column = first; column <= last; ++column) {
+        const double h = height(column, row);
+        if (h > best &&
+            segmentDistance2(ax, ay, bx, by, x(column), y(row)) <= reach * reach)
+          best = h;
+      }
     }
   return best;
 }

@@ -71,8 +71,9 @@ private:
   Stock stock_;
   double cell_;
   Bound bound_;
-  int columns_, rows_;
+  int columns_, rows_, runs_;
   std::vector<float> height_;
+  std::vector<float> top_; // highest of each run of cells of a row
 };
 
 } // namespace pointmill

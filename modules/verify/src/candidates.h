@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the PointMill authors
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+namespace pointmill {
+
+/// @brief What may lower a surface, the most promising first: a heap of lower bounds.
+/// Whoever takes from it stops as soon as no bound is below what is there already.
+class Candidates {
+public:
+  struct Candidate {
+    double bound;
+    std::uint32_t id;
+  };
+
+  void clear() { heap_.clear(); }
+  void add(double bound, std::size_t id)
+  {
+    heap_.push_back({bound, static_cast<std::uint32_t>(id)});
+  }
+  /// @brief To be called once, between the last add() and the first take().
+  void order() { std::make_heap(heap_.begin(), heap_.end(), later); }
+
+  bool empty() const { return heap_.empty(); }
+  const Candidate& best() const { return heap_.front(); }
+  Candidate take()
+  {
+    std::pop_heap(heap_.begin(), heap_.end(), later);
+    const Candidate candidate = heap_.back();
+    heap_.pop_back();
+    return candidate;
+  }
+
+private:
+  static bool later(const Candidate& a, const Candidate& b)
+  {
+    return a.bound > b.bound || (a.bound == b.bound && a.id > b.id);
+  }
+  std::vector<Candidate> heap_;
+};
+
+} // namespace pointmill

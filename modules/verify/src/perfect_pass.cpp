@@ -1,0 +1,273 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the PointMill authors
+#include "perfect_pass.h"
+
+#include "candidates.h"
+#include "tiles.h"
+
+#include <pointmill/common/parallel.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace pointmill {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kNodesPerRadius = 8, kTilesPerRadius = 4;
+constexpr double kClose = 0.01;    ///< near enough to the point itself [mm]
+constexpr double kSettled = 0.001; ///< search no better than this [mm]
+
+/// Where the tool rests over the nodes of a fine grid that covers all places from which
+/// it touches the part.
+class RestGrid {
+public:
+  RestGrid(const PointIndex& part, const Tool& tool, double floor, unsigned threads)
+      : cell_(tool.radius() / kNodesPerRadius), x0_(part.min().x() - tool.radius()),
+        y0_(part.min().y() - tool.radius())
+  {
+    const Eigen::Vector3d size = part.max() - part.min();
+    columns_ = static_cast<int>((size.x() + 2 * tool.radius()) / cell_) + 2;
+    rows_ = static_cast<int>((size.y() + 2 * tool.radius()) / cell_) + 2;
+    tip_.resize(static_cast<std::size_t>(columns_) * rows_);
+    contact_.resize(tip_.size());
+    parallelFor(static_cast<std::size_t>(rows_), threads, [&](std::size_t row) {
+      std::vector<Contact> contacts(static_cast<std::size_t>(columns_));
+      part.dropRow(tool,
+                   {x0_, y(static_cast<int>(row))},
+                   {cell_, 0},
+                   contacts.size(),
+                   contacts.data());
+      for (std::size_t c = 0; c < contacts.size(); ++c) {
+        tip_[row * columns_ + c] = static_cast<float>(std::max(floor, contacts[c].tip));
+        contact_[row * columns_ + c] = static_cast<std::uint32_t>(contacts[c].point);
+      }
+    });
+  }
+
+  int columns() const { return columns_; }
+  int rows() const { return rows_; }
+  double cell() const { return cell_; }
+  double x(int column) const { return x0_ + column * cell_; }
+  double y(int row) const { return y0_ + row * cell_; }
+  int columnOf(double v) const { return clamped((v - x0_) / cell_, columns_); }
+  int rowOf(double v) const { return clamped((v - y0_) / cell_, rows_); }
+  std::size_t index(int column, int row) const
+  {
+    return static_cast<std::size_t>(row) * columns_ + column;
+  }
+  double tip(std::size_t node) const { return tip_[node]; }
+  /// The point that the tool rests on; where there is none, more than the points are.
+  std::uint32_t contact(std::size_t node) const { return contact_[node]; }
+
+private:
+  static int clamped(double v, int count)
+  {
+    return static_cast<int>(std::clamp(v, 0.0, count - 1.0));
+  }
+  double cell_, x0_, y0_;
+  int columns_ = 0, rows_ = 0;
+  std::vector<float> tip_;
+  std::vector<std::uint32_t> contact_;
+};
+
+/// Where the tool stands lowest over a point, as far as it was searched.
+struct Best {
+  double height = kInfinity;
+  double x = 0, y = 0; ///< of the tip
+};
+
+/// The best nodes for the points of a tile.
+class TileSearch {
+public:
+  TileSearch(const RestGrid& grid, const Tool& tool) : grid_(grid), tool_(tool) {}
+
+  void search(const Tile& tile)
+  {
+    gather(tile);
+    best_.assign(tile.points.size(), Best());
+    double roof = kInfinity; // nothing is open above it
+    while (!candidates_.empty() && candidates_.best().bound < roof) {
+      const auto [bound, node] = candidates_.take();
+      const double tip = grid_.tip(node);
+      const double x = grid_.x(static_cast<int>(node % grid_.columns()));
+      const double y = grid_.y(static_cast<int>(node / grid_.columns()));
+      roof = -kInfinity;
+      for (std::size_t i = 0; i < best_.size(); ++i) {
+        const auto& p = tile.points[i];
+        Best& best = best_[i];
+        if (bound < best.height) {
+          const double dx = x - p.x, dy = y - p.y;
+          const double h = tip + tool_.profile(std::sqrt(dx * dx + dy * dy));
+          if (h < best.height)
+            best = {h, x, y};
+        }
+        if (best.height > p.z) // nothing goes lower than the point itself
+          roof = std::max(roof, best.height);
+      }
+    }
+  }
+  const std::vector<Best>& best() const { return best_; }
+
+private:
+  void gather(const Tile& tile)
+  {
+    candidates_.clear();
+    const double r = tool_.radius(), reach = r + tile.radius;
+    const int c0 = grid_.columnOf(tile.x - reach), c1 = grid_.columnOf(tile.x + reach);
+    const int r0 = grid_.rowOf(tile.y - reach), r1 = grid_.rowOf(tile.y + reach);
+    for (int row = r0; row <= r1; ++row)
+      for (int column = c0; column <= c1; ++column) {
+        const double dx = grid_.x(column) - tile.x, dy = grid_.y(row) - tile.y;
+        const double away = std::sqrt(dx * dx + dy * dy) - tile.radius - 1e-9;
+        if (away > r)
+          continue;
+        const std::size_t node = grid_.index(column, row);
+        candidates_.add(grid_.tip(node) + tool_.profile(std::max(0.0, away)) - 1e-9,
+                        node);
+      }
+    candidates_.order();
+  }
+
+  const RestGrid& grid_;
+  const Tool& tool_;
+  Candidates candidates_;
+  std::vector<Best> best_;
+};
+
+/// Searches on around the best node, which is too coarse on steep and rough ground. The
+/// few points that the tool rests on thereabouts stand for the whole part; where it is
+/// dropped on all of it and rests on another point, that one joins them.
+class Refinement {
+public:
+  Refinement(const PointIndex& part,
+             const RestGrid& grid,
+             const Tool& tool,
+             double floor)
+      : part_(part), grid_(grid), tool_(tool), floor_(floor)
+  {
+  }
+
+  double refine(const Tile::Point& p, const Best& start)
+  {
+    Best best = start;
+    gather(start);
+    for (int round = 0; round < kRounds && best.height - p.z > kClose; ++round) {
+      const Best guess = lowestOnRests(p, best);
+      if (guess.height > best.height - kSettled)
+        break;
+      const Contact contact = part_.drop(tool_, guess.x, guess.y);
+      const double d = std::hypot(guess.x - p.x, guess.y - p.y);
+      const double h = std::max(floor_, contact.tip) + tool_.profile(d);
+      if (h < best.height)
+        best = {h, guess.x, guess.y};
+      if (h < guess.height + kSettled)
+        break;
+      rests_.push_back(contact.at);
+    }
+    return best.height;
+  }
+
+private:
+  static constexpr int kRounds = 8, kHalvings = 4;
+
+  void gather(const Best& start)
+  {
+    rests_.clear();
+    seen_.clear();
+    const int c = grid_.columnOf(start.x + grid_.cell() / 2);
+    const int r = grid_.rowOf(start.y + grid_.cell() / 2);
+    for (int row = std::max(0, r - 1); row <= std::min(grid_.rows() - 1, r + 1); ++row)
+      for (int column = std::max(0, c - 1);
+           column <= std::min(grid_.columns() - 1, c + 1);
+           ++column) {
+        const std::uint32_t point = grid_.contact(grid_.index(column, row));
+        if (point < part_.size() &&
+            std::find(seen_.begin(), seen_.end(), point) == seen_.end()) {
+          seen_.push_back(point);
+          rests_.push_back(part_.point(point));
+        }
+      }
+  }
+
+  /// Height over p of the tool at (x, y) if there were only the rests.
+  double heightOnRests(const Tile::Point& p, double x, double y) const
+  {
+    const double d2 = (x - p.x) * (x - p.x) + (y - p.y) * (y - p.y);
+    if (d2 > tool_.radius() * tool_.radius())
+      return kInfinity;
+    double tip = floor_;
+    for (const auto& q : rests_) {
+      const double q2 = (x - q.x()) * (x - q.x()) + (y - q.y()) * (y - q.y());
+      if (q2 <= tool_.radius() * tool_.radius())
+        tip = std::max(tip, q.z() - tool_.profile(std::sqrt(q2)));
+    }
+    return tip + tool_.profile(std::sqrt(d2));
+  }
+
+  /// From `from` in ever smaller steps, not farther than a cell: there are other rests.
+  Best lowestOnRests(const Tile::Point& p, const Best& from) const
+  {
+    Best best{heightOnRests(p, from.x, from.y), from.x, from.y};
+    double step = grid_.cell() / 2;
+    for (int halving = 0; halving < kHalvings;) {
+      const Best centre = best;
+      for (int k = 0; k < 9; ++k) {
+        const double x = centre.x + (k % 3 - 1) * step,
+                     y = centre.y + (k / 3 - 1) * step;
+        if (k == 4 || std::abs(x - from.x) > grid_.cell() ||
+            std::abs(y - from.y) > grid_.cell())
+          continue;
+        const double h = heightOnRests(p, x, y);
+        if (h < best.height)
+          best = {h, x, y};
+      }
+      if (best.height > centre.height - kSettled) {
+        step /= 2;
+        ++halving;
+      }
+    }
+    return best;
+  }
+
+  const PointIndex& part_;
+  const RestGrid& grid_;
+  const Tool& tool_;
+  double floor_;
+  std::vector<Eigen::Vector3d> rests_;
+  std::vector<std::uint32_t> seen_;
+};
+
+} // namespace
+
+std::vector<float>
+perfectHeights(const PointIndex& part, const Tool& tool, double floor, unsigned threads)
+{
+  std::vector<float> heights(part.size());
+  const RestGrid grid(part, tool, floor, threads);
+  const Tiles tiles(part, tool.radius() / kTilesPerRadius);
+  parallelFor(static_cast<std::size_t>(tiles.rows()), threads, [&](std::size_t row) {
+    TileSearch search(grid, tool);
+    Refinement refinement(part, grid, tool, floor);
+    Tile tile;
+    for (int column = 0; column < tiles.columns(); ++column) {
+      tiles.read(column, static_cast<int>(row), tile);
+      if (tile.points.empty())
+        continue;
+      search.search(tile);
+      for (std::size_t i = 0; i < tile.points.size(); ++i) {
+        const auto& p = tile.points[i];
+        const Best& best = search.best()[i];
+        const double over = best.height - p.z; // by far: something covers the point
+        heights[p.index] = static_cast<float>(over > kClose && over < tool.radius()
+                                                  ? refinement.refine(p, best)
+                                                  : best.height);
+      }
+    }
+  });
+  return heights;
+}
+
+} // namespace pointmill

@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the PointMill authors
+#include "candidates.h"
+#include "moves.h"
+#include "tiles.h"
+
+#include <pointmill/common/parallel.h>
+#include <pointmill/surface/sweep.h>
+#include <pointmill/surface/sweep_bound.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace pointmill {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+/// Tiles of this part of the thinnest tool's radius: their bounds are tight, and they
+/// still hold points enough to be worth a bound for each move.
+constexpr double kTilesPerRadius = 4;
+
+/// The deepest that a point gets inside a tool; of equals the first in the program.
+struct Deepest {
+  double depth = 0;
+  std::size_t move = 0, point = 0;
+
+  void take(const Deepest& other)
+  {
+    const auto place = [](const Deepest& d) { return std::make_pair(d.move, d.point); };
+    if (other.depth > depth || (other.depth == depth && place(other) < place(*this)))
+      *this = other;
+  }
+};
+
+/// Sweeps moves over tiles, for one thread.
+class TileSweep {
+public:
+  TileSweep(const std::vector<SweptMove>& moves, double tolerance)
+      : moves_(moves), tolerance_(tolerance)
+  {
+  }
+
+  /// Sweeps the moves `near` over the tile, not in their order: first those that come
+  /// lowest, so that most others need not be looked at.
+  void sweep(const Tile& tile, const std::vector<std::uint32_t>& near)
+  {
+    candidates_.clear();
+    for (const auto k : near) {
+      const SweptMove& m = moves_[k];
+      const double bound =
+          sweptHeightBound(*m.tool, m.a, m.b, tile.x, tile.y, tile.radius);
+      if (bound < kInfinity)
+        candidates_.add(bound, k);
+    }
+    candidates_.order();
+    height_.assign(tile.points.size(), std::numeric_limits<float>::infinity());
+    gouged_.assign(tile.points.size(), 0);
+    double roof = kInfinity; // no point's height is above it
+    while (!candidates_.empty() && (candidates_.best().bound < roof ||
+                                    tile.top - candidates_.best().bound >= shallow())) {
+      const auto [bound, k] = candidates_.take();
+      for (std::size_t i = 0; i < tile.points.size(); ++i)
+        if (bound < height_[i] || tile.points[i].z - bound >= shallow())
+          meet(tile.points[i], i, k);
+      roof = *std::max_element(height_.begin(), height_.end());
+    }
+    count_ += static_cast<std::size_t>(std::count(gouged_.begin(), gouged_.end(), 1));
+  }
+
+  /// Of the tile that was swept last.
+  const std::vector<float>& heights() const { return height_; }
+  /// Of all tiles.
+  const Deepest& deepest() const { return deepest_; }
+  std::size_t gouged() const { return count_; }
+
+private:
+  /// Points less deep inside a tool than this change nothing.
+  double shallow() const { return std::min(tolerance_, deepest_.depth); }
+
+  void meet(const Tile::Point& p, std::size_t i, std::size_t k)
+  {
+    const SweptMove& m = moves_[k];
+    const double h = sweptHeight(*m.tool, m.a, m.b, p.x, p.y);
+    if (h < height_[i])
+      height_[i] = static_cast<float>(h);
+    const double below = p.z - h; // at most as deep inside as below
+    if (below > 0 && (below >= deepest_.depth || (below > tolerance_ && !gouged_[i]))) {
+      const double depth = penetration(*m.tool, m.a, m.b, {p.x, p.y, p.z});
+      gouged_[i] |= depth > tolerance_;
+      if (depth > 0)
+        deepest_.take({depth, k, p.index});
+    }
+  }
+
+  const std::vector<SweptMove>& moves_;
+  double tolerance_;
+  Candidates candidates_;
+  std::vector<float> height_;
+  std::vector<unsigned char> gouged_;
+  Deepest deepest_;
+  std::size_t count_ = 0;
+};
+
+/// Where in X the tool of a move can touch places with y0 <= y <= y1.
+std::pair<double, double> extentIn(const SweptMove& m, double y0, double y1)
+{
+  const double r = m.tool->radius(), dy = m.b.y() - m.a.y();
+  double first = 0, last = 1;
+  if (std::abs(dy) > 1e-12) {
+    const double t0 = (y0 - r - m.a.y()) / dy, t1 = (y1 + r - m.a.y()) / dy;
+    first = std::clamp(std::min(t0, t1), 0.0, 1.0);
+    last = std::clamp(std::max(t0, t1), 0.0, 1.0);
+  }
+  const double dx = m.b.x() - m.a.x(), xa = m.a.x() + first * dx,
+               xb = m.a.x() + last * dx;
+  return {std::min(xa, xb) - r, std::max(xa, xb) + r};
+}
+
+} // namespace
+
+Gouges sweepPoints(const PointIndex& part,
+                   const std::vector<SweptMove>& moves,
+                   double tolerance,
+                   unsigned threads,
+                   std::vector<float>& height)
+{
+  height.assign(part.size(), std::numeric_limits<float>::infinity());
+  if (moves.empty())
+    return {};
+  double thinnest = kInfinity;
+  for (const auto& m : moves)
+    thinnest = std::min(thinnest, m.tool->radius());
+  const Tiles tiles(part, thinnest / kTilesPerRadius);
+  // Moves are dealt to square blocks of tiles about as wide as the tool.
+  const int block =
+      static_cast<int>(std::clamp(thinnest / tiles.edge(), 1.0, kTilesPerRadius));
+  const double edge = block * tiles.edge();
+  const int columns = (tiles.columns() + block - 1) / block;
+  const Bands bands(moves, part.min().y(), edge, (tiles.rows() + block - 1) / block);
+  struct Outcome {
+    Deepest deepest;
+    std::size_t gouged = 0;
+  };
+  std::vector<Outcome> outcomes(static_cast<std::size_t>(bands.count()));
+  parallelFor(outcomes.size(), threads, [&](std::size_t band) {
+    const double y0 = part.min().y() + static_cast<double>(band) * edge;
+    std::vector<std::vector<std::uint32_t>> near(static_cast<std::size_t>(columns));
+    const auto columnOf = [&](double x) {
+      return static_cast<int>(std::clamp(
+          std::floor((x - part.min().x()) / edge), -1.0, static_cast<double>(columns)));
+    };
+    for (const auto k : bands[band]) {
+      const double hair = 1e-3 * edge; // for points sorted in float32
+      const auto [x0, x1] = extentIn(moves[k], y0 - hair, y0 + edge + hair);
+      const int last = std::min(columns - 1, columnOf(x1 + hair));
+      for (int c = std::max(0, columnOf(x0 - hair)); c <= last; ++c)
+        near[static_cast<std::size_t>(c)].push_back(k);
+    }
+    TileSweep sweep(moves, tolerance);
+    Tile tile;
+    const int row0 = static_cast<int>(band) * block;
+    for (int row = row0; row < std::min(tiles.rows(), row0 + block); ++row)
+      for (int column = 0; column < tiles.columns(); ++column) {
+        tiles.read(column, row, tile);
+        if (tile.points.empty())
+          continue;
+        sweep.sweep(tile, near[static_cast<std::size_t>(column / block)]);
+        for (std::size_t i = 0; i < tile.points.size(); ++i)
+          height[tile.points[i].index] = sweep.heights()[i];
+      }
+    outcomes[band] = {sweep.deepest(), sweep.gouged()};
+  });
+  Deepest deepest;
+  Gouges gouges;
+  for (const auto& o : outcomes) {
+    deepest.take(o.deepest);
+    gouges.count += o.gouged;
+  }
+  if (deepest.depth > 0)
+    gouges = {deepest.depth,
+              part.point(deepest.point),
+              moves[deepest.move].line,
+              gouges.count};
+  return gouges;
+}
+
+} // namespace pointmill
