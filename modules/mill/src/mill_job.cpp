@@ -24,6 +24,7 @@ namespace {
 /// Parts outside this are taken for a slip of units [mm].
 constexpr double kSmallestPart = 1.0, kLargestPart = 3000.0;
 constexpr double kMostCells = 1e6;    // of the map, by default
+constexpr double kStepOver = 0.4;     // of the roughing, in diameters, by default
 constexpr double kMostStrays = 0.005; // share of the points
 constexpr std::size_t kMostSamples = 6'000'000;
 
@@ -146,9 +147,10 @@ void MillJob::makeMap()
 {
   timed("map", 0.1, [&] {
     const double void_between = std::max(scan_.spacing.median, 1e-3);
-    double cell = options_.cell;
+    const Tool& rough = options_.rough.tool;
+    double cell = options_.cell; // no wider than the default step-over
     if (cell <= 0)
-      cell = options_.rough.tool.endDiameter() / 20;
+      cell = std::min(rough.diameter / 20, rough.endDiameter() * kStepOver);
     // A very large part gets coarser cells rather than hours.
     const Eigen::Vector4f size =
         part_->getMatrixXfMap().rowwise().maxCoeff().head<4>() -
@@ -244,7 +246,7 @@ void MillJob::planRoughing(const ToolJob& job,
                            : ZSlices::pitchForDiameter(job.tool.endDiameter()));
   roughing.setStepOver(options_.step_over > 0 && min_thickness <= 0
                            ? options_.step_over
-                           : 0.4 * job.tool.endDiameter());
+                           : kStepOver * job.tool.endDiameter());
   roughing.setFloor(floor_);
   roughing.setStock(standing_);
   roughing.setPart(surface_);

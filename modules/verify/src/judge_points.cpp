@@ -40,8 +40,9 @@ Quantiles quantiles(std::vector<float>& values)
 class Envelope {
 public:
   Envelope(const PointIndex& part, const Tool& tool, double floor, unsigned threads)
-      : part_(part), tool_(tool), cutter_(tool.profile()), floor_(floor), cell_(tool.radius() / 8),
-        x0_(part.min().x() - tool.radius()), y0_(part.min().y() - tool.radius())
+      : part_(part), tool_(tool), cutter_(tool.profile()), floor_(floor),
+        cell_(tool.radius() / 8), x0_(part.min().x() - tool.radius()),
+        y0_(part.min().y() - tool.radius())
   {
     const Eigen::Vector3d size = part.max() - part.min();
     columns_ = static_cast<int>((size.x() + 2 * tool.radius()) / cell_) + 2;
