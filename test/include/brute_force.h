@@ -26,7 +26,7 @@ drop(const Points& points, const pointmill::Tool& tool, double x, double y)
 }
 
 /// Deepest that `p` gets inside the tool at tip `t`: by bisection on the tool shrunk by
-/// e.
+/// e. Of a tapered tool right as far as the depth of its corner radius.
 inline double
 inside(const pointmill::Tool& tool, const Eigen::Vector3d& t, const Eigen::Vector3d& p)
 {
@@ -34,6 +34,7 @@ inside(const pointmill::Tool& tool, const Eigen::Vector3d& t, const Eigen::Vecto
     pointmill::Tool small = tool;
     small.diameter = std::max(0.0, tool.diameter - 2 * e);
     small.corner_radius = std::max(0.0, tool.corner_radius - e);
+    small.tip_diameter = std::max(0.0, tool.tip_diameter - 2 * e);
     return t.z() + e + small.profile(std::hypot(p.x() - t.x(), p.y() - t.y())) < p.z();
   };
   if (!in(0))

@@ -163,6 +163,23 @@ TEST_F(Linking, AFlatEndMillIsNotPlungedIntoMaterial)
   EXPECT_EQ(linker.getReport().get("plunges"), 0);
 }
 
+TEST_F(Linking, OnlyAnEndWithoutAFlatIsPlunged)
+{
+  CLCloud passes;
+  addPass(passes, 0, {{12, 9, -2}});
+  addPass(passes, 1, {{5, 9, -2}, {25, 9, -2}});
+  const auto skipped = [&](const Tool& other) {
+    linker.setTool(other);
+    linker.setStock(fieldOf(kBox)); // whole
+    link(linker, passes);
+    return linker.getReport().get("skipped");
+  };
+  EXPECT_EQ(skipped(Tool::bull(1, 5, 1)), 1);
+  EXPECT_EQ(skipped(Tool::taperBall(1, 2, 5, 5)), 0);
+  EXPECT_EQ(skipped(Tool::taperBull(1, 3, 0.5, 5, 5)), 1);
+  EXPECT_EQ(skipped(Tool::cone(1, 30, 5)), 0);
+}
+
 TEST_F(Linking, AHeavyCutIsSlowedInProportion)
 {
   // A slot of 5 x 4 mm is 20 mm2; full feed is for a tenth of 5 x 5.

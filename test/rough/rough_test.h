@@ -48,7 +48,7 @@ simulate(const CLCloud& passes, const Tool& tool, const Stock& stock, double cel
 }
 
 /// Distance from @p p to the surface of a tool that moves level from @p a to @p b;
-/// negative inside. Measured to the core that the corner radius rolls round.
+/// negative inside.
 inline double distanceToSweep(const Tool& tool,
                               const Eigen::Vector3d& a,
                               const Eigen::Vector3d& b,
@@ -57,11 +57,7 @@ inline double distanceToSweep(const Tool& tool,
   const Eigen::Vector2d along = (b - a).head<2>(), to = (p - a).head<2>();
   const double len2 = along.squaredNorm();
   const double t = len2 > 0 ? std::min(1.0, std::max(0.0, to.dot(along) / len2)) : 0.0;
-  const double side = (to - t * along).norm() - (tool.radius() - tool.corner_radius);
-  const double below = a.z() + tool.corner_radius - p.z();
-  const double core =
-      side > 0 && below > 0 ? std::hypot(side, below) : std::max(side, below);
-  return core - tool.corner_radius;
+  return -tool.profile().depth((to - t * along).norm(), p.z() - a.z());
 }
 
 /// The least of it over all moves of the passes and all points.

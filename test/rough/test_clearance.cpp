@@ -44,7 +44,11 @@ TYPED_TEST(RoughingClearance, TheAllowanceIsLeftOverTheMapsCells)
 
 TYPED_TEST(RoughingClearance, TheAllowanceIsLeftOnThePartsPoints)
 {
-  for (const Tool& tool : {Tool::flat(1, 6), Tool::ball(2, 5), Tool::bull(3, 6, 1)}) {
+  for (const Tool& tool : {Tool::flat(1, 6),
+                           Tool::ball(2, 5),
+                           Tool::bull(3, 6, 1),
+                           Tool::taperBall(4, 3, 8, 6),
+                           Tool::cone(5, 30, 6, 2)}) {
     const auto cloud = bumpyPart(3);
     this->set(tool, 0.4, 1.3, 2.0);
     this->roughing.setPart(indexOf(*cloud));
@@ -59,17 +63,19 @@ TYPED_TEST(RoughingClearance, TheAllowanceIsLeftOnThePartsPoints)
 
 TYPED_TEST(RoughingClearance, CoarseCellsNeverGougeThePart)
 {
-  // Cells as wide as the cutter's radius, where moves between nodes round it most.
-  const Tool tool = Tool::flat(1, 4);
+  // Cells as wide as the radius of the cutter's end, or more, where moves between nodes
+  // round it most.
   const auto cloud = bumpyPart(4);
-  for (const bool exact : {false, true}) {
-    this->set(tool, 0.0, 1.0, 2.0);
-    this->roughing.setPart(exact ? indexOf(*cloud) : nullptr);
-    this->roughing.setStock(block({-4, -4, 40, 32}, -2, 10));
-    const auto passes = this->run(mapOf(cloud, 2.0));
-    ASSERT_GT(passes.size(), 50u);
-    EXPECT_GE(clearance(passes, tool, pointsOf(*cloud)), -1e-3) << exact;
-  }
+  for (const Tool& tool : {Tool::flat(1, 4), Tool::taperBall(2, 2, 10, 8)})
+    for (const bool exact : {false, true}) {
+      this->set(tool, 0.0, 1.0, 2.0);
+      this->roughing.setPart(exact ? indexOf(*cloud) : nullptr);
+      this->roughing.setStock(block({-4, -4, 40, 32}, -2, 10));
+      const auto passes = this->run(mapOf(cloud, 2.0));
+      ASSERT_GT(passes.size(), 50u);
+      EXPECT_GE(clearance(passes, tool, pointsOf(*cloud)), -1e-3)
+          << tool.describe() << exact;
+    }
 }
 
 TYPED_TEST(RoughingClearance, AThinPinIsGoneRound)

@@ -56,7 +56,7 @@ void MillJob::planRoughing(const ToolJob& job,
                            : ZSlices::pitchForDiameter(job.tool.endDiameter()));
   roughing.setStepOver(options_.step_over > 0 && min_thickness <= 0
                            ? options_.step_over
-                           : 0.4 * job.tool.endDiameter());
+                           : kRoughStepOver * job.tool.endDiameter());
   roughing.setFloor(floor_);
   roughing.setStock(standing_);
   roughing.setPart(surface_);

@@ -167,9 +167,10 @@ void MillJob::makeMap()
 {
   timed("map", 0.1, [&] {
     const double void_between = std::max(scan_.spacing.median, 1e-3);
-    double cell = options_.cell;
+    const Tool& rough = options_.rough.tool;
+    double cell = options_.cell; // no wider than the default step-over
     if (cell <= 0)
-      cell = options_.rough.tool.endDiameter() / 20;
+      cell = std::min(rough.diameter / 20, rough.endDiameter() * kRoughStepOver);
     // A very large part gets coarser cells rather than hours.
     const Eigen::Vector4f size =
         part_->getMatrixXfMap().rowwise().maxCoeff().head<4>() -

@@ -13,6 +13,9 @@
 
 namespace pointmill {
 
+/// Step-over of the roughing, in diameters, by default.
+constexpr double kRoughStepOver = 0.4;
+
 /// @brief How the roughing goes over a level.
 enum class RoughingStrategy { ZigZag, Spiral };
 
