@@ -2,6 +2,7 @@
 // Copyright (c) 2026, the PointMill authors
 #include <pointmill/common/error.h>
 #include <pointmill/surface/stock_field.h>
+#include <pointmill/surface/sweep.h>
 
 #include <brute_force.h>
 #include <gtest/gtest.h>
@@ -93,6 +94,56 @@ TEST(StockField, HighestSeesAllWithinReach)
   EXPECT_EQ(field.highest(25, 5, 2), -INFINITY);
   StockField fresh(kBox, 0.5, StockField::Bound::Upper);
   EXPECT_EQ(fresh.highest(-5, 5, 30, 5, 1), 0.0);
+}
+
+TEST(StockField, NoCellThatAMoveLowersIsPassedOver)
+{
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> ux(-4, 24), uy(-4, 14), uz(-8, 1), u(0, 1);
+  const Tool tools[] = {
+      Tool::flat(1, 5), Tool::ball(2, 3), Tool::bull(3, 4, 0.7), Tool::ball(4, 0.8)};
+  StockField field(kBox, 0.23, StockField::Bound::Nominal);
+  const int columns = field.columns();
+  std::vector<float> truth(static_cast<std::size_t>(columns) * field.rows(), 0.f);
+  Vector3d at(0, 0, 1);
+  for (int i = 0; i < 400; ++i) {
+    Vector3d to(ux(random), uy(random), uz(random) * (1 - i / 500.0));
+    if (i % 3)
+      to = at + 0.05 * (to - at);
+    if (i % 13 == 0)
+      to = at - Vector3d(0, 0, u(random));
+    const Tool& tool = tools[i % 4];
+    double depth = 0, volume = 0;
+    for (int row = 0; row < field.rows(); ++row)
+      for (int column = 0; column < columns; ++column) {
+        float& cell = truth[static_cast<std::size_t>(row * columns + column)];
+        const double h =
+            pointmill::sweptHeight(tool, at, to, field.x(column), field.y(row));
+        if (!(h < cell))
+          continue;
+        depth = std::max(depth, cell - h);
+        volume += (cell - h) * 0.23 * 0.23;
+        cell = static_cast<float>(h);
+      }
+    const Cut cut = field.cut(tool, at, to);
+    ASSERT_EQ(cut.depth, depth) << i;
+    ASSERT_EQ(cut.volume, volume) << i;
+    at = to;
+  }
+  for (int row = 0; row < field.rows(); ++row)
+    for (int column = 0; column < columns; ++column)
+      ASSERT_EQ(field.height(column, row),
+                truth[static_cast<std::size_t>(row * columns + column)]);
+  for (int i = 0; i < 1000; ++i) {
+    const double x = ux(random), y = uy(random), radius = 3 * u(random);
+    const double reach = radius + 0.23 * std::sqrt(0.5);
+    double highest = -INFINITY;
+    for (int row = 0; row < field.rows(); ++row)
+      for (int column = 0; column < columns; ++column)
+        if (std::hypot(field.x(column) - x, field.y(row) - y) <= reach)
+          highest = std::max(highest, field.height(column, row));
+    ASSERT_EQ(field.highest(x, y, radius), highest);
+  }
 }
 
 TEST(StockField, RowsCanBeSharedOut)

@@ -13,6 +13,8 @@ namespace {
 /// A point this far under a perfect pass of the last tool is out of its reach [mm]:
 /// more than what noise lifts the tool off.
 constexpr double kReach = 0.1;
+/// A perfect pass that comes so near to a point is taken to reach it [mm].
+constexpr double kClose = 0.01;
 
 Quantiles quantiles(std::vector<float>& values)
 {
@@ -32,45 +34,79 @@ Quantiles quantiles(std::vector<float>& values)
   return q;
 }
 
+/// What stands over points when all is done, and what a perfect pass would leave.
+struct Heights {
+  const PointIndex& points;
+  std::vector<float> left, perfect;
+
+  double z(std::size_t i) const { return points.point(i).z(); }
+  double best(std::size_t i) const { return std::max<double>(z(i), perfect[i]); }
+  bool touched(std::size_t i) const { return std::isfinite(left[i]); }
+};
+
+/// Surface minus point, over the points that a perfect pass reaches to `reach`.
+Quantiles deviations(const Heights& heights, double reach)
+{
+  std::vector<float> off;
+  for (std::size_t i = 0; i < heights.points.size(); ++i)
+    if (heights.touched(i) && heights.best(i) - heights.z(i) <= reach)
+      off.push_back(static_cast<float>(heights.left[i] - heights.z(i)));
+  return quantiles(off);
+}
+
+/// What is left over the points.
+void judgeRest(const Heights& heights, Verification& result)
+{
+  std::vector<float> residual(heights.points.size());
+  for (std::size_t i = 0; i < residual.size(); ++i) {
+    result.untouched_points += !heights.touched(i);
+    result.unreachable_points += heights.best(i) - heights.z(i) > kReach;
+    // infinite where no tool comes by
+    residual[i] = std::max(0.f, static_cast<float>(heights.left[i] - heights.best(i)));
+  }
+  result.residual = quantiles(residual);
+  result.deviation = deviations(heights, kReach);
+}
+
 } // namespace
 
-void judgePoints(const PointIndex& part,
+void judgePoints(const PointIndex& surface,
+                 const PointIndex* raw,
                  const std::vector<SweptMove>& moves,
-                 double tolerance,
-                 double floor,
+                 const PointLimits& limits,
                  unsigned threads,
                  Verification& result)
 {
-  std::vector<float> height;
-  const Gouges gouges = sweepPoints(part, moves, tolerance, threads, height);
+  Heights heights{surface, {}, {}};
+  const Gouges gouges =
+      sweepPoints(surface, moves, limits.tolerance, threads, heights.left);
+  result.points = surface.size();
   result.gouge = gouges.depth;
   result.gouge_at = gouges.at;
   result.gouge_line = gouges.line;
   result.gouged_points = gouges.count;
-  result.points = part.size();
-
-  const Tool* last = nullptr;
-  for (const auto& m : moves)
-    if (!m.rapid)
-      last = m.tool;
-  if (!last)
+  const auto last = std::find_if(
+      moves.rbegin(), moves.rend(), [](const SweptMove& m) { return !m.rapid; });
+  if (last == moves.rend())
     return;
-  const std::vector<float> perfect =
-      perfectHeights(part, *last, std::max(part.min().z(), floor), threads);
-  std::vector<float> left, off;
-  for (std::size_t q = 0; q < part.size(); ++q) {
-    const double z = part.point(q).z(), best = std::max<double>(z, perfect[q]);
-    const bool touched = std::isfinite(height[q]), reachable = best - z <= kReach;
-    result.untouched_points += !touched;
-    result.unreachable_points += !reachable;
-    // infinite where no tool comes by
-    left.push_back(std::max(0.f, static_cast<float>(height[q] - best)));
-    if (touched && reachable)
-      off.push_back(static_cast<float>(height[q] - z));
-  }
-  result.points = part.size();
-  result.residual = quantiles(left);
-  result.deviation = quantiles(off);
+  const PerfectPass perfect(
+      surface, *last->tool, std::max(surface.min().z(), limits.floor), threads);
+  heights.perfect = perfect.heightsOver(surface, kClose);
+  judgeRest(heights, result);
+  if (!raw)
+    return;
+
+  Heights measured{*raw, {}, {}};
+  const Gouges deeper =
+      sweepPoints(*raw, moves, limits.tolerance + limits.noise, threads, measured.left);
+  result.raw_gouge = deeper.depth;
+  result.raw_gouge_at = deeper.at;
+  result.raw_gouge_line = deeper.line;
+  result.raw_gouged_points = deeper.count;
+  // Noise puts points below the surface that the tool reaches all the same.
+  const double reach = kReach + limits.noise;
+  measured.perfect = perfect.heightsOver(*raw, reach);
+  result.raw_deviation = deviations(measured, reach);
 }
 
 } // namespace pointmill

@@ -50,7 +50,8 @@ struct Gouges {
   std::size_t count = 0; ///< of the points deeper than the tolerance
 };
 
-/// @brief Sweeps the moves over points.
+/// @brief Sweeps the moves over points. Of equally deep gouges the first in the program
+/// is named.
 /// @param height lowest height of any tool over each point; infinite where none comes
 /// by
 Gouges sweepPoints(const PointIndex& points,
@@ -59,12 +60,19 @@ Gouges sweepPoints(const PointIndex& points,
                    unsigned threads,
                    std::vector<float>& height);
 
-/// @brief Gouges, residuals and deviations at the points. A perfect pass, too, goes no
-/// lower than @p floor.
-void judgePoints(const PointIndex& part,
+/// @brief What points may suffer [mm].
+struct PointLimits {
+  double tolerance; ///< deepest gouge
+  double noise;     ///< so much more for points as they were measured
+  double floor;     ///< a perfect pass, too, goes no lower
+};
+
+/// @brief Gouges, residuals and deviations at the points of the surface; gouges and
+/// deviations at the measured points @p raw as well, unless that is null.
+void judgePoints(const PointIndex& surface,
+                 const PointIndex* raw,
                  const std::vector<SweptMove>& moves,
-                 double tolerance,
-                 double floor,
+                 const PointLimits& limits,
                  unsigned threads,
                  Verification& result);
 

@@ -17,12 +17,19 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kNodesPerRadius = 8, kTilesPerRadius = 4;
-constexpr double kClose = 0.01;    ///< near enough to the point itself [mm]
 constexpr double kSettled = 0.001; ///< search no better than this [mm]
+
+/// Where the tool stands lowest over a point, as far as it was searched.
+struct Best {
+  double height = kInfinity;
+  double x = 0, y = 0; ///< of the tip
+};
+
+} // namespace
 
 /// Where the tool rests over the nodes of a fine grid that covers all places from which
 /// it touches the part.
-class RestGrid {
+class PerfectPass::RestGrid {
 public:
   RestGrid(const PointIndex& part, const Tool& tool, double floor, unsigned threads)
       : cell_(tool.radius() / kNodesPerRadius), x0_(part.min().x() - tool.radius()),
@@ -73,14 +80,8 @@ private:
   std::vector<std::uint32_t> contact_;
 };
 
-/// Where the tool stands lowest over a point, as far as it was searched.
-struct Best {
-  double height = kInfinity;
-  double x = 0, y = 0; ///< of the tip
-};
-
 /// The best nodes for the points of a tile.
-class TileSearch {
+class PerfectPass::TileSearch {
 public:
   TileSearch(const RestGrid& grid, const Tool& tool) : grid_(grid), tool_(tool) {}
 
@@ -140,13 +141,11 @@ private:
 /// Searches on around the best node, which is too coarse on steep and rough ground. The
 /// few points that the tool rests on thereabouts stand for the whole part; where it is
 /// dropped on all of it and rests on another point, that one joins them.
-class Refinement {
+class PerfectPass::Refinement {
 public:
-  Refinement(const PointIndex& part,
-             const RestGrid& grid,
-             const Tool& tool,
-             double floor)
-      : part_(part), grid_(grid), tool_(tool), floor_(floor)
+  Refinement(const PerfectPass& pass, double close)
+      : part_(pass.part_), grid_(*pass.grid_), tool_(pass.tool_), floor_(pass.floor_),
+        close_(close)
   {
   }
 
@@ -154,7 +153,7 @@ public:
   {
     Best best = start;
     gather(start);
-    for (int round = 0; round < kRounds && best.height - p.z > kClose; ++round) {
+    for (int round = 0; round < kRounds && best.height - p.z > close_; ++round) {
       const Best guess = lowestOnRests(p, best);
       if (guess.height > best.height - kSettled)
         break;
@@ -235,22 +234,30 @@ private:
   const PointIndex& part_;
   const RestGrid& grid_;
   const Tool& tool_;
-  double floor_;
+  double floor_, close_;
   std::vector<Eigen::Vector3d> rests_;
   std::vector<std::uint32_t> seen_;
 };
 
-} // namespace
-
-std::vector<float>
-perfectHeights(const PointIndex& part, const Tool& tool, double floor, unsigned threads)
+PerfectPass::PerfectPass(const PointIndex& part,
+                         const Tool& tool,
+                         double floor,
+                         unsigned threads)
+    : part_(part), tool_(tool), floor_(floor), threads_(threads),
+      grid_(std::make_unique<RestGrid>(part, tool, floor, threads))
 {
-  std::vector<float> heights(part.size());
-  const RestGrid grid(part, tool, floor, threads);
-  const Tiles tiles(part, tool.radius() / kTilesPerRadius);
-  parallelFor(static_cast<std::size_t>(tiles.rows()), threads, [&](std::size_t row) {
-    TileSearch search(grid, tool);
-    Refinement refinement(part, grid, tool, floor);
+}
+
+PerfectPass::~PerfectPass() = default;
+
+std::vector<float> PerfectPass::heightsOver(const PointIndex& points,
+                                            double close) const
+{
+  std::vector<float> heights(points.size());
+  const Tiles tiles(points, tool_.radius() / kTilesPerRadius);
+  parallelFor(static_cast<std::size_t>(tiles.rows()), threads_, [&](std::size_t row) {
+    TileSearch search(*grid_, tool_);
+    Refinement refinement(*this, close);
     Tile tile;
     for (int column = 0; column < tiles.columns(); ++column) {
       tiles.read(column, static_cast<int>(row), tile);
@@ -261,7 +268,7 @@ perfectHeights(const PointIndex& part, const Tool& tool, double floor, unsigned 
         const auto& p = tile.points[i];
         const Best& best = search.best()[i];
         const double over = best.height - p.z; // by far: something covers the point
-        heights[p.index] = static_cast<float>(over > kClose && over < tool.radius()
+        heights[p.index] = static_cast<float>(over > close && over < tool_.radius()
                                                   ? refinement.refine(p, best)
                                                   : best.height);
       }

@@ -4,16 +4,32 @@
 
 #include <pointmill/surface/point_index.h>
 
+#include <memory>
 #include <vector>
 
 namespace pointmill {
 
-/// @brief The height [mm] over each point of the part that a perfect pass of a tool
-/// leaves: one that rests everywhere on the part, but no lower than @p floor. Where a
-/// point is reached to 0.01 mm the height is not searched any better.
-std::vector<float> perfectHeights(const PointIndex& part,
-                                  const Tool& tool,
-                                  double floor,
-                                  unsigned threads);
+/// @brief A perfect pass of a tool: one that rests everywhere on the part, but no lower
+/// than @p floor.
+class PerfectPass {
+public:
+  PerfectPass(const PointIndex& part, const Tool& tool, double floor, unsigned threads);
+  ~PerfectPass();
+
+  /// @brief The height [mm] that it leaves over each of @p points, which may be others
+  /// than the part's. Within @p close [mm] of the point it is not searched any better.
+  std::vector<float> heightsOver(const PointIndex& points, double close) const;
+
+private:
+  class RestGrid;
+  class TileSearch;
+  class Refinement;
+
+  const PointIndex& part_;
+  Tool tool_;
+  double floor_;
+  unsigned threads_;
+  std::unique_ptr<const RestGrid> grid_;
+};
 
 } // namespace pointmill

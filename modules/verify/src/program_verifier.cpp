@@ -35,7 +35,12 @@ Verification ProgramVerifier::verify(const Program& program) const
 
   Verification result;
   const auto moves = collectMoves(program, tools_, stock_, result);
-  judgePoints(*part_, moves, tolerance_, floor_, threads_, result);
+  judgePoints(model_ ? *model_ : *part_,
+              model_ ? part_.get() : nullptr,
+              moves,
+              {tolerance_, noise_allowance_, floor_},
+              threads_,
+              result);
   if (protected_) {
     std::vector<float> height;
     const Gouges gouges = sweepPoints(*protected_, moves, tolerance_, threads_, height);
@@ -59,13 +64,23 @@ Verification ProgramVerifier::verify(const Program& program) const
   judgeStock(stock_, cell_, moves, tolerance_, threads_, result);
 
   if (result.gouged_points > 0)
+    result.findings.push_back(
+        {"gouge",
+         std::to_string(result.gouged_points) +
+             (model_ ? " points of the smoothed surface" : " points") +
+             " are gouged, the deepest by " + millimetres(result.gouge),
+         result.gouge,
+         result.gouge_at,
+         result.gouge_line});
+  if (result.raw_gouged_points > 0)
     result.findings.push_back({"gouge",
-                               std::to_string(result.gouged_points) +
-                                   " points are gouged, the deepest by " +
-                                   millimetres(result.gouge),
-                               result.gouge,
-                               result.gouge_at,
-                               result.gouge_line});
+                               std::to_string(result.raw_gouged_points) +
+                                   " measured points are gouged beyond their noise, "
+                                   "the deepest by " +
+                                   millimetres(result.raw_gouge),
+                               result.raw_gouge,
+                               result.raw_gouge_at,
+                               result.raw_gouge_line});
   if (result.rapids_in_stock > 0)
     result.findings.push_back({"rapid_in_stock",
                                std::to_string(result.rapids_in_stock) +

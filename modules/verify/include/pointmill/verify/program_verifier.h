@@ -40,6 +40,16 @@ struct Verification {
   std::size_t gouge_line = 0;
   std::size_t gouged_points = 0; ///< deeper than the tolerance
 
+  /// @name With a model, which the figures above and below are about then: the same of
+  /// the measured points
+  /// @{
+  double raw_gouge = 0; ///< [mm]
+  Eigen::Vector3d raw_gouge_at = Eigen::Vector3d::Zero();
+  std::size_t raw_gouge_line = 0;
+  std::size_t raw_gouged_points = 0; ///< deeper than tolerance and noise allowance
+  Quantiles raw_deviation;
+  /// @}
+
   /// @brief Material left over a point beyond what a perfect pass of the last tool
   /// would leave there.
   Quantiles residual;
@@ -74,6 +84,12 @@ class ProgramVerifier {
 public:
   /// @brief The points of the part, without anything that was added to them.
   void setPart(std::shared_ptr<const PointIndex> part) { part_ = std::move(part); }
+  /// @brief The points of the part as they lie on its smoothed surface, one beside each
+  /// measured point. With them the program is judged by the model, and the measured
+  /// points only must not be gouged deeper than tolerance and noise allowance together.
+  void setModel(std::shared_ptr<const PointIndex> model) { model_ = std::move(model); }
+  /// @brief How far measured points may stick out of the model [mm].
+  void setNoiseAllowance(double allowance) { noise_allowance_ = allowance; }
   /// @brief Places that are no points of the part but must be kept as if they were: the
   /// bridges over its gaps.
   void setProtected(std::shared_ptr<const PointIndex> places)
@@ -98,6 +114,11 @@ public:
   void parameters(V&& v)
   {
     v("tolerance", tolerance_, "mm", Range{1e-4, 10}, "deepest gouge that passes");
+    v("noise_allowance",
+      noise_allowance_,
+      "mm",
+      Range{0, 10},
+      "deeper gouge that passes at measured points beside a model");
     v("residual_limit",
       residual_limit_,
       "mm",
@@ -112,10 +133,11 @@ public:
   Verification verify(const Program& program) const;
 
 private:
-  std::shared_ptr<const PointIndex> part_, protected_;
+  std::shared_ptr<const PointIndex> part_, model_, protected_;
   Stock stock_;
   std::vector<Tool> tools_;
-  double tolerance_ = 0.02, residual_limit_ = 1e4, cell_ = 0.25;
+  double tolerance_ = 0.02, noise_allowance_ = 0.0;
+  double residual_limit_ = 1e4, cell_ = 0.25;
   double floor_ = -std::numeric_limits<double>::infinity();
   double blend_limit_ = std::numeric_limits<double>::infinity();
   unsigned threads_ = 0;
