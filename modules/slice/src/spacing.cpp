@@ -25,7 +25,7 @@ constexpr double kReachPerView = 1.5;
 constexpr double kMostViews = 100; // mean spacings that are looked across
 constexpr int kBucketsPerCell = 6; // along an edge, by default
 constexpr double kRim = 1.5;       // buckets; half one's diagonal, and as much of doubt
-constexpr double kFewBuckets = 1e6, kBucketsPerPoint = 4;
+constexpr double kFewBuckets = 1e6, kBucketsPerPoint = 4, kMostCells = 200e6;
 
 double uniform(std::mt19937& random)
 {
@@ -74,25 +74,33 @@ double typicalReach(const PointBuckets& buckets, std::mt19937& random)
 std::vector<unsigned char> coveredBuckets(const PointBuckets& buckets, double reach)
 {
   const CellGrid& grid = buckets.grid();
-  const int pad = static_cast<int>(std::ceil(reach / grid.cell)) + 2;
+  const double margin = std::ceil(reach / grid.cell) + 2;
+  if ((grid.columns + 2 * margin) * (grid.rows + 2 * margin) > kMostCells)
+    throw ParameterError("mapSpacing: the reach is too far for that many points");
+  const int pad = static_cast<int>(margin);
   CellGrid wide = grid;
   wide.x0 -= pad * grid.cell;
   wide.y0 -= pad * grid.cell;
   wide.columns += 2 * pad;
   wide.rows += 2 * pad;
-  // A bucket beside one that holds points is near enough without asking.
-  const bool neighbour_is_near = reach > 1.5 * std::sqrt(2.0) * grid.cell;
-  std::vector<unsigned char> lonely(wide.size());
-  parallelFor(static_cast<std::size_t>(wide.rows), 0, [&](std::size_t r) {
-    const int row = static_cast<int>(r) - pad;
-    for (int column = -pad; column < grid.columns + pad; ++column) {
-      const auto held = [&](int of_row) {
-        return buckets.count(of_row, column - 1, column + 1) > 0;
-      };
-      lonely[wide.index(column + pad, static_cast<int>(r))] =
-          !(neighbour_is_near && (held(row) || held(row - 1) || held(row + 1))) &&
-          std::isinf(buckets.distance(grid.x(column), grid.y(row), reach));
-    }
+  const auto forRows = [&](auto&& work) {
+    parallelFor(static_cast<std::size_t>(wide.rows), 0, [&](std::size_t r) {
+      for (int column = 0; column < wide.columns; ++column)
+        work(column, static_cast<int>(r), wide.index(column, static_cast<int>(r)));
+    });
+  };
+  std::vector<unsigned char> held(wide.size()), lonely(wide.size());
+  forRows([&](int column, int row, std::size_t at) {
+    held[at] = buckets.count(row - pad, column - pad, column - pad) > 0;
+  });
+  // Somewhere in its bucket a point is up to half the diagonal nearer or farther.
+  const auto to_held = distanceField(held, wide.columns, wide.rows);
+  const double doubt = std::sqrt(0.5) * grid.cell;
+  forRows([&](int column, int row, std::size_t at) {
+    const double about = to_held[at] * grid.cell;
+    lonely[at] = about > reach + doubt ||
+                 (about >= reach - doubt &&
+                  std::isinf(buckets.distance(wide.x(column), wide.y(row), reach)));
   });
   const auto to_lonely = distanceField(lonely, wide.columns, wide.rows);
   std::vector<unsigned char> covered(grid.size());
@@ -127,6 +135,10 @@ public:
     });
     if (squared.maxCoeff() < least * least)
       return;
+    if (std::isinf(squared[0])) { // a void so large that one place will do
+      voids.push_back({{x, y}, std::min(most_, buckets_.distance(x, y, most_))});
+      return;
+    }
     for (int i = 0; i < kAlong * kAlong; ++i) {
       if (squared[i] < least * least)
         continue;
@@ -311,7 +323,7 @@ SpacingField mapSpacing(std::vector<Eigen::Vector3f> points,
       field.count[at] +=
           static_cast<std::uint32_t>(buckets.count(r, first, first + side - 1));
   }
-  // Lines of points have voids that are more of one size than a square grid's.
+  // Among lines of points more places are far from any than among those of a grid.
   figures.p99 = std::min(figures.worst, sampled[sampled.size() * 99 / 100] / kP99Void);
   return field;
 }
