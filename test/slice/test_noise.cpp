@@ -102,10 +102,17 @@ TEST(Noise, PointsThatAreThereTwiceTellNothingNew)
 TEST(Noise, IsNotSeenWhereThereIsNone)
 {
   EXPECT_LT(measureNoise(freeformScan(50, 100, 0)).deviation, 1e-3);
-  // Where points are sparse, what is left is form between them: less than a tenth of
-  // what a ball end mill sinks there.
+  // Form between sparse points looks like noise, but grows: none is taken for it
+  // beyond a hundredth of what a ball end mill sinks there.
   const double sink = sinkBetweenPoints(Tool::ball(1, 3), 1.0);
-  EXPECT_LT(measureNoise(freeformScan(100, 1, 0)).deviation, 0.1 * sink);
+  const Noise sparse = measureNoise(freeformScan(100, 1, 0));
+  EXPECT_LT(sparse.deviation, 0.01 * sink);
+  EXPECT_GT(sparse.scatter, 0.05 * sink);
+}
+
+TEST(Noise, IsToldFromFormBetweenSparsePoints)
+{
+  EXPECT_NEAR(measureNoise(freeformScan(100, 1, 0.05)).deviation, 0.05, 0.005);
 }
 
 TEST(Noise, IsTheSameEachTime)

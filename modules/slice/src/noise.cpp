@@ -17,10 +17,13 @@
 namespace pointmill {
 namespace {
 
-constexpr std::size_t kSamples = 2500;
+constexpr std::size_t kSamples = 2000;
 constexpr std::size_t kNeighbours = 24, kMostNeighbours = 24 << 5;
 constexpr std::size_t kFewest = 8; // two more than a quadric has coefficients
 constexpr double kRadiusPerDeviation = 6;
+// Growth of the variance with twice the neighbours that is form, and how much faster it
+// then goes on growing at least; shared noise slows down.
+constexpr double kGrowth = 1.3, kGrowthOfGrowth = 1.5;
 
 /// Median of chi-square over its degrees of freedom (Wilson and Hilferty 1931).
 double medianChiSquare(double freedom)
@@ -28,8 +31,13 @@ double medianChiSquare(double freedom)
   return std::pow(1 - 2 / (9 * freedom), 3);
 }
 
-template <typename T>
-T median(std::vector<T> values)
+DataError tooFew()
+{
+  return DataError("the noise of a scan with fewer than 8 different points was asked "
+                   "for");
+}
+
+double median(std::vector<double> values)
 {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   std::nth_element(values.begin(), middle, values.end());
@@ -83,9 +91,10 @@ Eigen::Matrix3Xd differentNeighbours(const PointBuckets& buckets,
   return points;
 }
 
-Noise noiseOf(const PointBuckets& buckets,
-              const std::vector<std::size_t>& samples,
-              std::size_t neighbours)
+/// The scatter in neighbourhoods of one size.
+Noise scatterOf(const PointBuckets& buckets,
+                const std::vector<std::size_t>& samples,
+                std::size_t neighbours)
 {
   std::vector<double> variance(samples.size()), radius(samples.size());
   parallelFor(samples.size(), 0, [&](std::size_t i) {
@@ -101,12 +110,33 @@ Noise noiseOf(const PointBuckets& buckets,
                                 [](double v) { return std::isnan(v); }),
                  variance.end());
   if (variance.empty())
-    throw DataError("the noise of a scan with fewer than 8 different points was asked "
-                    "for");
-  return {std::sqrt(median(variance)),
-          median(radius),
-          static_cast<int>(neighbours),
-          variance.size()};
+    throw tooFew();
+  Noise noise;
+  noise.scatter = std::sqrt(median(variance));
+  noise.radius = median(radius);
+  noise.neighbours = static_cast<int>(neighbours);
+  noise.samples = variance.size();
+  return noise;
+}
+
+/// The part of the scatter that does not grow with the neighbourhoods.
+double withoutForm(const PointBuckets& buckets,
+                   const std::vector<std::size_t>& samples,
+                   const Noise& noise)
+{
+  const auto variance = [&](std::size_t times) {
+    const std::size_t neighbours = times * static_cast<std::size_t>(noise.neighbours);
+    return neighbours > buckets.points().size()
+               ? 0.0 // too few points to tell
+               : std::pow(scatterOf(buckets, samples, neighbours).scatter, 2);
+  };
+  const double once = noise.scatter * noise.scatter, twice = variance(2);
+  if (twice <= kGrowth * once)
+    return noise.scatter;
+  const double faster = (variance(4) - twice) / (twice - once);
+  if (faster <= kGrowthOfGrowth)
+    return noise.scatter;
+  return std::sqrt(std::max(0.0, once - (twice - once) / (faster - 1)));
 }
 
 } // namespace
@@ -119,8 +149,7 @@ Noise measureNoise(const pcl::PointCloud<pcl::PointXYZ>& cloud, std::uint32_t se
     if (p.getVector3fMap().allFinite())
       finite.push_back(p.getVector3fMap());
   if (finite.size() < kFewest)
-    throw DataError("the noise of a scan with fewer than 8 different points was asked "
-                    "for");
+    throw tooFew();
   const std::size_t count = finite.size();
   const CellGrid grid = PointBuckets::naturalGrid(finite);
   const PointBuckets buckets(std::move(finite), grid);
@@ -131,11 +160,12 @@ Noise measureNoise(const pcl::PointCloud<pcl::PointXYZ>& cloud, std::uint32_t se
     s = random() % count;
   const std::size_t most = std::min(kMostNeighbours, count);
   std::size_t neighbours = std::min(kNeighbours, most);
-  Noise noise = noiseOf(buckets, samples, neighbours);
-  while (noise.radius < kRadiusPerDeviation * noise.deviation && neighbours < most) {
+  Noise noise = scatterOf(buckets, samples, neighbours);
+  while (noise.radius < kRadiusPerDeviation * noise.scatter && neighbours < most) {
     neighbours = std::min(2 * neighbours, most);
-    noise = noiseOf(buckets, samples, neighbours);
+    noise = scatterOf(buckets, samples, neighbours);
   }
+  noise.deviation = withoutForm(buckets, samples, noise);
   return noise;
 }
 
