@@ -25,6 +25,16 @@ int countOf(const std::vector<unsigned char>& mask)
   return std::accumulate(mask.begin(), mask.end(), 0);
 }
 
+/// The occupied cells at height z, NaN elsewhere.
+std::vector<double> heightsOf(const std::vector<unsigned char>& occupied, double z)
+{
+  std::vector<double> height(occupied.size(), NAN);
+  for (std::size_t i = 0; i < occupied.size(); ++i)
+    if (occupied[i])
+      height[i] = z;
+  return height;
+}
+
 } // namespace
 
 TEST(DistanceField, EqualsBruteForce)
@@ -63,7 +73,8 @@ TEST(Gaps, AHoleIsAGapAndABayIsNot)
   EXPECT_EQ(countOf(gaps), 100 + 0);
   EXPECT_TRUE(gaps[grid.index(15, 15)]);
   EXPECT_FALSE(gaps[grid.index(15, 2)]);
-  const auto regions = gapRegions(grid, wideGaps(grid, occupied, gaps, 1.5));
+  const auto regions =
+      gapRegions(grid, wideGaps(grid, occupied, gaps, 1.5), heightsOf(occupied, 2.0));
   ASSERT_EQ(regions.size(), 1u);
   EXPECT_DOUBLE_EQ(regions[0].area, 100);
   EXPECT_NEAR(regions[0].centre.x(), 15, 1e-9);
@@ -94,7 +105,7 @@ TEST(Gaps, ARealGapAmongSparsePointsIsOnlyAsWideAsItIs)
   EXPECT_TRUE(wide[grid.index(30, 30)]);
   EXPECT_FALSE(wide[grid.index(5, 5)]);
   EXPECT_NEAR(countOf(wide), M_PI * 100, 60);
-  EXPECT_EQ(gapRegions(grid, wide).size(), 1u);
+  EXPECT_EQ(gapRegions(grid, wide, heightsOf(occupied, 2.0)).size(), 1u);
 }
 
 TEST(Gaps, BetweenPointsOfASlopeLiesTheSlope)

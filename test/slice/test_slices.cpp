@@ -2,13 +2,11 @@
 // Copyright (c) 2026, the PointMill authors
 #include <pointmill/common/error.h>
 #include <pointmill/slice/point_recovery.h>
-#include <pointmill/slice/spacing.h>
 #include <pointmill/slice/z_slices.h>
 
 #include <gtest/gtest.h>
 
 #include <limits>
-#include <random>
 
 using namespace pointmill;
 
@@ -72,19 +70,4 @@ TEST(PointRecovery, KeepsWhatIsAboveOnThePlane)
   recovery.filter(out);
   ASSERT_EQ(out.size(), 1u);
   EXPECT_EQ(out[0].x, 3.f);
-}
-
-TEST(Spacing, OfASquareGridAndOfLines)
-{
-  pcl::PointCloud<pcl::PointXYZ> grid, lines;
-  for (int i = 0; i < 100; ++i)
-    for (int j = 0; j < 100; ++j) {
-      grid.push_back(pcl::PointXYZ(0.4f * i, 0.4f * j, 0));
-      lines.push_back(pcl::PointXYZ(0.05f * i, 1.f * j, 0));
-    }
-  EXPECT_NEAR(measureSpacing(grid).median, 0.4, 0.04);
-  // Half of the places between lines 1 mm apart are over 0.25 mm off, if any are
-  // between.
-  EXPECT_GT(measureSpacing(lines).p99, 0.5);
-  EXPECT_THROW(measureSpacing({}), DataError);
 }

@@ -9,6 +9,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <locale>
+#include <sstream>
+#include <utility>
 
 namespace pointmill {
 namespace {
@@ -46,6 +49,47 @@ void takeRegion(const CellGrid& grid,
                    region.push_back(at);
                  }
                });
+}
+
+/// What surrounds the region's cells: heights, or nothing.
+void measureRim(const CellGrid& grid,
+                const Mask& gaps,
+                const std::vector<double>& height,
+                GapRegion& region)
+{
+  for (const auto cell : region.cells) {
+    int known = 0;
+    neighbours(grid,
+               static_cast<int>(cell % grid.columns),
+               static_cast<int>(cell / grid.columns),
+               [&](int c, int r, bool) {
+                 const std::size_t at = grid.index(c, r);
+                 known += gaps[at] || std::isfinite(height[at]);
+                 if (gaps[at] || !std::isfinite(height[at]))
+                   return;
+                 region.rim_low = std::fmin(region.rim_low, height[at]);
+                 region.rim_high = std::fmax(region.rim_high, height[at]);
+               });
+    region.open |= known < 8;
+  }
+}
+
+std::string noGapAt(const Eigen::Vector2d& place,
+                    const std::vector<GapRegion>& regions,
+                    std::size_t nearest,
+                    double distance)
+{
+  std::ostringstream text;
+  text.imbue(std::locale::classic());
+  text << "no gap of the scan lies at the through hole X" << place.x() << " Y"
+       << place.y() << ": ";
+  if (regions.empty())
+    text << "the scan has none (one narrower than twice the gap reach is none)";
+  else
+    text << "the nearest, of " << regions[nearest].area << " mm2 about X"
+         << regions[nearest].centre.x() << " Y" << regions[nearest].centre.y()
+         << ", begins " << distance << " mm away";
+  return text.str();
 }
 
 } // namespace
@@ -108,7 +152,8 @@ wideGaps(const CellGrid& grid, const Mask& occupied, const Mask& gaps, double re
   return wide;
 }
 
-std::vector<GapRegion> gapRegions(const CellGrid& grid, const Mask& gaps)
+std::vector<GapRegion>
+gapRegions(const CellGrid& grid, const Mask& gaps, const std::vector<double>& height)
 {
   std::vector<GapRegion> regions;
   Mask left = gaps;
@@ -129,7 +174,9 @@ std::vector<GapRegion> gapRegions(const CellGrid& grid, const Mask& gaps)
         region.max = region.max.cwiseMax((p.array() + grid.cell / 2).matrix());
       }
       region.area = static_cast<double>(cells.size()) * grid.cell * grid.cell;
-      regions.push_back(region);
+      region.cells = std::move(cells);
+      measureRim(grid, gaps, height, region);
+      regions.push_back(std::move(region));
     }
   std::stable_sort(regions.begin(), regions.end(), [](const auto& a, const auto& b) {
     return a.area > b.area;
@@ -137,8 +184,43 @@ std::vector<GapRegion> gapRegions(const CellGrid& grid, const Mask& gaps)
   return regions;
 }
 
+void nameThroughHoles(const CellGrid& grid,
+                      const std::vector<Eigen::Vector2d>& places,
+                      std::vector<GapRegion>& regions)
+{
+  std::vector<std::size_t> named;
+  for (const auto& place : places) {
+    double nearest = std::numeric_limits<double>::infinity();
+    std::size_t which = 0;
+    for (std::size_t i = 0; i < regions.size(); ++i)
+      for (const auto cell : regions[i].cells) {
+        const Eigen::Vector2d centre(grid.x(static_cast<int>(cell % grid.columns)),
+                                     grid.y(static_cast<int>(cell / grid.columns)));
+        // To the square cell, 0 inside.
+        const Eigen::Array2d beside = (place - centre).array().abs() - grid.cell / 2;
+        const double distance = beside.max(0.0).matrix().norm();
+        if (distance < nearest) {
+          nearest = distance;
+          which = i;
+        }
+      }
+    // Neither a point's rounding to float nor that of the grid makes a place miss.
+    if (!(nearest <= 1e-6 * grid.cell))
+      throw ParameterError(noGapAt(place, regions, which, nearest));
+    named.push_back(which);
+  }
+  for (const auto which : named) {
+    regions[which].kind = GapKind::ThroughHole;
+    regions[which].treatment = GapPolicy::Mill;
+  }
+}
+
 void bridgeGaps(const CellGrid& grid, const Mask& gaps, std::vector<double>& height)
 {
+  const auto regions = gapRegions(grid, gaps, height);
+  for (const auto& region : regions)
+    if (std::isnan(region.rim_low))
+      throw DataError("the gaps of the scan cannot be bridged: a gap touches no point");
   std::vector<int> unknown(grid.size(), -1);
   std::vector<std::size_t> cells;
   for (std::size_t i = 0; i < grid.size(); ++i)
@@ -177,9 +259,14 @@ void bridgeGaps(const CellGrid& grid, const Mask& gaps, std::vector<double>& hei
   const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(laplace);
   const Eigen::VectorXd solution = solver.solve(right);
   if (solver.info() != Eigen::Success || !solution.allFinite())
-    throw DataError("the gaps of the scan cannot be bridged: a gap touches no point");
+    throw DataError("the gaps of the scan cannot be bridged: their equations have no "
+                    "solution");
   for (std::size_t k = 0; k < cells.size(); ++k)
     height[cells[k]] = solution[static_cast<Eigen::Index>(k)];
+  // The solution keeps within its rim but for rounding.
+  for (const auto& region : regions)
+    for (const auto at : region.cells)
+      height[at] = std::clamp(height[at], region.rim_low, region.rim_high);
 }
 
 } // namespace pointmill

@@ -5,16 +5,10 @@
 #include <pointmill/common/stage.h>
 #include <pointmill/slice/gaps.h>
 
+#include <utility>
 #include <vector>
 
 namespace pointmill {
-
-/// @brief What becomes of the parts of a scan that hold no points.
-enum class GapPolicy {
-  Bridge, ///< a membrane over the gap's rim is protected; nothing is cut below it
-  Keep,   ///< the stock over the gap is left standing at full height
-  Mill    ///< taken for a hole: milled to the floor like the outside
-};
 
 /// @brief The bi-colour map (paper 001): square cells from Gridstart to Gridend, each
 /// with the height of its highest point, as an organised cloud of @ref PointCell. The
@@ -37,10 +31,18 @@ public:
   /// the part; choose at least the spacing of the points. See measureSpacing().
   void setGapReach(double reach) { gap_reach_ = reach; }
   double getGapReach() const { return gap_reach_; }
+  /// @brief For all gaps but the through holes.
   void setGapPolicy(GapPolicy policy) { policy_ = policy; }
   GapPolicy getGapPolicy() const { return policy_; }
+  /// @brief A place [mm] in each gap that is a hole through the part: these are milled
+  /// to the floor. A place in no gap is refused (ParameterError).
+  void setThroughHoles(std::vector<Eigen::Vector2d> places)
+  {
+    through_holes_ = std::move(places);
+  }
+  const std::vector<Eigen::Vector2d>& getThroughHoles() const { return through_holes_; }
 
-  /// @brief The gaps that the last run found, largest first.
+  /// @brief The gaps that the last run found and what became of each, largest first.
   const std::vector<GapRegion>& getGaps() const { return gaps_; }
 
   template <typename V>
@@ -58,6 +60,7 @@ private:
   double cell_size_ = 0.5;
   double gap_reach_ = 1.0;
   GapPolicy policy_ = GapPolicy::Bridge;
+  std::vector<Eigen::Vector2d> through_holes_;
   std::vector<GapRegion> gaps_;
 };
 

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace pointmill {
 
@@ -47,16 +48,28 @@ void OccupancyMap<PointT>::apply(CellCloud& output)
   for (std::size_t at = 0; at < grid.size(); ++at)
     between[at] = gap[at] && !wide[at];
   fillBetweenPoints(grid, between, points, height);
-  bridgeGaps(grid, wide, height);
-  // What lies between points is part; only a real gap is for the policy to decide.
+
+  // What lies between points is part; only a real gap is for its treatment to decide.
+  auto gaps = gapRegions(grid, wide, height);
+  for (auto& region : gaps)
+    region.treatment = policy_;
+  nameThroughHoles(grid, through_holes_, gaps);
+  std::vector<unsigned char> bridged(grid.size(), 0);
   const double highest = high.z();
-  for (std::size_t at = 0; at < grid.size(); ++at)
-    if (wide[at] && policy_ == GapPolicy::Keep)
-      height[at] = highest;
-    else if (wide[at] && policy_ == GapPolicy::Mill) {
-      gap[at] = 0;
-      height[at] = std::numeric_limits<double>::quiet_NaN();
+  for (const auto& region : gaps)
+    for (const auto at : region.cells) {
+      bridged[at] = region.treatment == GapPolicy::Bridge;
+      gap[at] = region.treatment != GapPolicy::Mill;
+      if (region.treatment == GapPolicy::Keep)
+        height[at] = highest;
     }
+  bridgeGaps(grid, bridged, height);
+  // Rounded up: no bridge becomes lower when it is stored.
+  const auto stored = [](double z) {
+    const auto rounded = static_cast<float>(z);
+    return rounded < z ? std::nextafter(rounded, std::numeric_limits<float>::infinity())
+                       : rounded;
+  };
 
   output.resize(grid.size());
   output.width = static_cast<std::uint32_t>(grid.columns);
@@ -68,7 +81,7 @@ void OccupancyMap<PointT>::apply(CellCloud& output)
       PointCell& cell = output[at];
       cell.x = static_cast<float>(grid.x(column));
       cell.y = static_cast<float>(grid.y(row));
-      cell.z = static_cast<float>(height[at]);
+      cell.z = stored(height[at]);
       cell.count = count[at];
       cell.setState(occupied[at]  ? CellState::Occupied
                     : between[at] ? CellState::Between
@@ -76,10 +89,14 @@ void OccupancyMap<PointT>::apply(CellCloud& output)
                                   : CellState::Empty);
     }
 
-  gaps_ = gapRegions(grid, wide);
-  double area = 0;
-  for (const auto& region : gaps_)
-    area += region.area;
+  gaps_ = std::move(gaps);
+  double area = 0, hole_area = 0;
+  std::size_t holes = 0;
+  for (const auto& region : gaps_) {
+    const bool hole = region.kind == GapKind::ThroughHole;
+    holes += hole;
+    (hole ? hole_area : area) += region.area;
+  }
   const auto cells = [&](CellState state) {
     return static_cast<double>(
         std::count_if(output.begin(), output.end(), [&](const auto& c) {
@@ -93,8 +110,10 @@ void OccupancyMap<PointT>::apply(CellCloud& output)
   this->report_.set("between_cells", cells(CellState::Between));
   this->report_.set("gap_cells", cells(CellState::Gap));
   this->report_.set("empty_cells", cells(CellState::Empty));
-  this->report_.set("gaps", static_cast<double>(gaps_.size()));
+  this->report_.set("gaps", static_cast<double>(gaps_.size() - holes));
   this->report_.set("gap_area_mm2", area);
+  this->report_.set("through_holes", static_cast<double>(holes));
+  this->report_.set("through_hole_area_mm2", hole_area);
   this->report_.set("between_points_mm2",
                     static_cast<double>(std::count(between.begin(), between.end(), 1)) *
                         grid.cell * grid.cell);
