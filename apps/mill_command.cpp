@@ -244,7 +244,9 @@ CLI::App* declareMill(CLI::App& app, MillCommand& command)
   choice(*mill,
          "--raster",
          o.raster,
-         {{"x", RasterDirection::AlongX}, {"y", RasterDirection::AlongY}},
+         {{"x", RasterDirection::AlongX},
+          {"y", RasterDirection::AlongY},
+          {"auto", RasterDirection::Auto}},
          "the finishing lines run along")
       ->default_str("x")
       ->group("Operations");

@@ -269,8 +269,7 @@ void MillJob::planRoughing(const ToolJob& job,
 
 CLCloud MillJob::rasterPasses(const ToolJob& job,
                               double scallop,
-                              RasterDirection direction,
-                              double min_slope,
+                              bool across,
                               PlannedOperation& planned) const
 {
   CLSurface<pcl::PointXYZ> raster;
@@ -279,8 +278,8 @@ CLCloud MillJob::rasterPasses(const ToolJob& job,
   raster.setForwardStep(job.tool.radius() / 3);
   raster.setAllowance(job.allowance);
   raster.setFloor(floor_);
-  raster.setDirection(direction);
-  raster.setMinSlope(min_slope);
+  raster.setDirection(options_.raster);
+  raster.setAcross(across);
   raster.setModel(model_);
   raster.setNumberOfThreads(options_.threads);
 
@@ -295,19 +294,14 @@ CLCloud MillJob::rasterPasses(const ToolJob& job,
   CLCloud::Ptr lines(new CLCloud);
   raster.setInputCloud(part_);
   raster.filter(*lines);
-  const std::string prefix = min_slope > 0 ? "steep_" : "";
   for (const auto& f : raster.getReport().figures())
-    planned.report.set(prefix + "raster_" + f.first, f.second);
-  if (lines->empty()) // nothing is that steep
-    return {};
+    planned.report.set("raster_" + f.first, f.second);
   OrderPasses order;
   const CLCloud passes = *pointmill::run<PointCL>(lines, buffer, order);
   for (const auto& f : order.getReport().figures())
-    planned.report.set(prefix + "order_" + f.first, f.second);
+    planned.report.set("order_" + f.first, f.second);
   for (const auto& f : buffer.getReport().figures())
-    planned.report.set(prefix + "buffer_" + f.first, f.second);
-  if (min_slope > 0)
-    return passes;
+    planned.report.set("buffer_" + f.first, f.second);
   planned.parameters = listParameters(raster);
   for (const auto& p : listParameters(buffer))
     if (p.name != "allowance")
@@ -328,18 +322,7 @@ void MillJob::planFinishing(const ToolJob& job,
   planned.colour = steep_too ? 4 : 2;
   const auto start = std::chrono::steady_clock::now();
 
-  CLCloud passes = rasterPasses(job, scallop, options_.raster, 0.0, planned);
-  if (options_.steep > 0 && steep_too) {
-    // Where the ground falls across the lines they lie too far apart on it.
-    const auto across = options_.raster == RasterDirection::AlongX
-                            ? RasterDirection::AlongY
-                            : RasterDirection::AlongX;
-    CLCloud steep = rasterPasses(job, scallop, across, options_.steep, planned);
-    const std::uint32_t next = passes.empty() ? 0 : passes.back().label + 1;
-    for (auto& p : steep)
-      p.label += next;
-    passes += steep;
-  }
+  const CLCloud passes = rasterPasses(job, scallop, steep_too, planned);
   link(planned, passes);
   planned.seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

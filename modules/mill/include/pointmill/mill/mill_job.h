@@ -101,8 +101,7 @@ private:
                      bool steep_too);
   CLCloud rasterPasses(const ToolJob& job,
                        double scallop,
-                       RasterDirection direction,
-                       double min_slope,
+                       bool across,
                        PlannedOperation& planned) const;
   void link(PlannedOperation& planned, const CLCloud& passes);
   void writeProgram();
