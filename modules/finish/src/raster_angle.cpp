@@ -9,14 +9,19 @@ namespace {
 
 constexpr double kSamples = 64; // along the longer side
 
-/// How long rows are there, by the area of the ground in XY over the step-over: they
-/// climb, and their spacing is halved until it is that of a flat at right angles to the
-/// feed.
-double lengthOfRows(double along, double across, double most)
+/// Rows fall no faster than the plunge feed, which is taken for a third of the feed.
+constexpr double kPlunge = 1.0 / 3;
+
+/// How long it takes to mill the ground there, by its area in XY over the step-over and
+/// the feed. Rows climb, half of them fall, and their spacing is halved until at right
+/// angles to the feed it is that of a flat.
+double effort(double along, double across, double most)
 {
-  const double spread = std::sqrt(1 + across * across / (1 + along * along));
+  const double length = std::sqrt(1 + along * along);
+  const double fall = std::max(1.0, std::abs(along) / length / kPlunge);
+  const double spread = std::hypot(length, across) / length;
   const double halvings = std::ceil(std::log2(spread) - 1e-9);
-  return std::sqrt(1 + along * along) * std::min(most, std::exp2(halvings));
+  return 0.5 * length * (1 + fall) * std::min(most, std::exp2(halvings));
 }
 
 } // namespace
@@ -47,8 +52,8 @@ double rasterAngle(const Raster& raster, const SurfaceModel& surface)
         continue;
       const double x = (b.tip - a.tip + d.tip - c.tip) / (2 * maker.stations().step);
       const double y = (c.tip - a.tip + d.tip - b.tip) / (2 * places.step);
-      along_x += lengthOfRows(x, y, most);
-      along_y += lengthOfRows(y, x, most);
+      along_x += effort(x, y, most);
+      along_y += effort(y, x, most);
     }
   const double cell = places.step * maker.stations().step / raster.step_over;
   const double turn = raster.tool.diameter / raster.step_over;

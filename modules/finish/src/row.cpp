@@ -13,7 +13,7 @@ constexpr double kRim = 0.01;
 
 /// Rows and stations keep this share of the radius inside the farthest place at which
 /// the tool could touch: there it would graze single points.
-constexpr double kGraze = 0.01;
+constexpr double kGraze = 0.05;
 
 Span farthest(const SurfaceModel& surface, const Vector2d& axis, double reach)
 {
@@ -104,6 +104,28 @@ Row RowMaker::drop(double v, Stretch stretch) const
   for (std::size_t i = 0; i < contacts.size(); ++i)
     row.stations.push_back(stationOf(stations_[stretch.first + i], v, contacts[i]));
   return row;
+}
+
+std::vector<Stretch> RowMaker::within(double v, Stretch stretch) const
+{
+  if (boundary_.everywhere())
+    return {stretch};
+  std::vector<Stretch> parts;
+  for (const Span& inside : boundary_.inside(v * frame_.across, frame_.along)) {
+    const auto first = static_cast<double>(stretch.first);
+    const auto last = static_cast<double>(stretch.last);
+    const double from = std::floor((inside.first - stations_.low) / stations_.step);
+    const double to = std::ceil((inside.last - stations_.low) / stations_.step);
+    if (to < first || from > last)
+      continue;
+    const Stretch s{static_cast<std::size_t>(std::max(first, from)),
+                    static_cast<std::size_t>(std::min(last, to))};
+    if (!parts.empty() && s.first <= parts.back().last)
+      parts.back().last = s.last;
+    else
+      parts.push_back(s);
+  }
+  return parts;
 }
 
 // The last place that touches on the way from one that does to one that does not.

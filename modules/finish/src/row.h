@@ -79,6 +79,10 @@ public:
 
   Row drop(double v, Stretch stretch) const;
 
+  /// The parts of @p stretch of the row at @p v that lie inside the boundary, to the
+  /// next stations outwards.
+  std::vector<Stretch> within(double v, Stretch stretch) const;
+
   /// Adds the passes of that stretch of @p row: inside the boundary, whose ends they
   /// meet exactly, and wherever the tool touches.
   void cut(const Row& row, Stretch stretch, std::vector<Pass>& passes) const;

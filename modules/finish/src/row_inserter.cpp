@@ -19,8 +19,9 @@ Insertion RowInserter::between(const Row& low,
 {
   Insertion result;
   result.tally = ScallopTally(raster_.scallop);
-  for (const Stretch& s : stretches)
-    insert(low, high, s, 1.0, result);
+  for (const Stretch& whole : stretches)
+    for (const Stretch& s : rows_.within(0.5 * (low.v + high.v), whole))
+      insert(low, high, s, 1.0, result);
   return result;
 }
 

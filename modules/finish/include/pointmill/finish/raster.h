@@ -19,8 +19,8 @@ inline double stepOverForScallop(double r, double h)
   return 2 * std::sqrt(std::max(0.0, 2 * r * h - h * h));
 }
 
-/// @brief The way that a raster's rows run. Auto: along X or Y, whichever is the
-/// shorter way over the part, see rasterAngle().
+/// @brief The way that a raster's rows run. Auto: along X or Y, whichever is milled
+/// sooner, see rasterAngle().
 enum class RasterDirection { AlongX, AlongY, Auto };
 
 /// @brief How rows follow each other: forth and back in turn, or all the same way.
@@ -64,10 +64,11 @@ struct Raster {
   RasterPasses over(const SurfaceModel& surface) const;
 };
 
-/// @brief 0 or 90: the direction of rows along which @p raster is the shorter way over
-/// the part. The ground's slopes along and across the rows are taken at some thousand
-/// places; they give the length of the rows there and how often their spacing is
-/// halved. Each row costs a tool diameter more, for the way to the next.
+/// @brief 0 or 90: the direction of rows in which @p raster is milled sooner. The
+/// ground's slopes along and across the rows are taken at some thousand places; they
+/// give the length of the rows, how often their spacing is halved, and how slowly they
+/// fall (plunge feed: a third of the feed). Each row costs a tool diameter more, for
+/// the way to the next.
 double rasterAngle(const Raster& raster, const SurfaceModel& surface);
 
 } // namespace pointmill
