@@ -245,14 +245,45 @@ CLI::App* declareMill(CLI::App& app, MillCommand& command)
   choice(*mill,
          "--raster",
          o.raster,
-         {{"x", RasterDirection::AlongX}, {"y", RasterDirection::AlongY}},
-         "the finishing lines run along")
-      ->default_str("x")
+         {{"x", RasterDirection::AlongX},
+          {"y", RasterDirection::AlongY},
+          {"auto", RasterDirection::Auto}},
+         "the finishing rows run along; auto: whichever is milled sooner")
+      ->default_str("auto")
       ->group("Operations");
-  add("--steep",
-      o.steep,
-      "DEG",
-      "steeper ground is rastered across as well; 0: never",
+  choice(*mill,
+         "--pattern",
+         o.pattern,
+         {{"zigzag", RasterPattern::ZigZag}, {"one-way", RasterPattern::OneWay}},
+         "how the finishing rows follow each other")
+      ->default_str("zigzag")
+      ->group("Operations");
+  choice(*mill,
+         "--milling",
+         o.milling,
+         {{"climb", MillingMode::Climb}, {"conventional", MillingMode::Conventional}},
+         "of one-way rows, for a spindle that turns clockwise")
+      ->default_str("climb")
+      ->group("Operations");
+  choice(*mill,
+         "--boundary",
+         o.over_stock,
+         {{"part", false}, {"stock", true}},
+         "finishing goes wherever the cutter touches the part, or keeps its axis over "
+         "the stock")
+      ->default_str("part")
+      ->group("Operations");
+  mill->add_option("--polygon",
+                   command.polygon,
+                   "finishing keeps the tool's axis inside this polygon of the part "
+                   "frame")
+      ->type_name("X Y X Y X Y ...")
+      ->expected(6, 20000)
+      ->group("Operations");
+  add("--overhang",
+      o.overhang,
+      "MM",
+      "how far beyond stock or polygon the axis may go; negative: inside",
       "Operations");
   mill->add_option("--threads", o.threads, "0: all of the machine")
       ->capture_default_str()
@@ -268,6 +299,10 @@ int runMill(MillCommand& command)
   MillOptions& o = command.options;
   o.square = !command.no_square;
   o.remove_strays = !command.keep_strays;
+  if (command.polygon.size() % 2 != 0)
+    throw ParameterError("--polygon: X and Y in turn, not an odd number of numbers");
+  for (std::size_t i = 0; i + 1 < command.polygon.size(); i += 2)
+    o.boundary.emplace_back(command.polygon[i], command.polygon[i + 1]);
   o.rough.tool = command.rough_tool.toolFrom(o.rough.tool);
   o.semi.tool = command.semi_tool.toolFrom(o.semi.tool);
   o.finish.tool = command.finish_tool.toolFrom(o.finish.tool);

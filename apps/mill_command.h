@@ -10,12 +10,14 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 /// @brief What `pointmill mill` was told on its command line.
 struct MillCommand {
   pointmill::MillOptions options;
   ToolOptions rough_tool{"rough"}, semi_tool{"semi"}, finish_tool{"finish"};
   std::string scan, directory;
+  std::vector<double> polygon; ///< X and Y in turn
   bool quiet = false, no_square = false, keep_strays = false, no_coolant = false;
 };
 

@@ -48,14 +48,16 @@ TEST_F(RasterLines, AreAtMostTheStepOverApartAndReachOverThePart)
     }
     const double width = direction == RasterDirection::AlongX ? 40 : 60;
     const double length = 100 - width;
-    EXPECT_LE(lines.size(), std::size_t(std::ceil(width / 1.7)) + 1);
-    EXPECT_LT(lines.begin()->first, 0.5);
-    EXPECT_GT(lines.rbegin()->first, width - 0.5);
+    // The cutter of radius 2 overhangs on all sides.
+    EXPECT_LE(lines.size(), std::size_t(std::ceil((width + 4) / 1.7)) + 1);
+    EXPECT_LT(lines.begin()->first, -1.5);
+    EXPECT_GT(lines.begin()->first, -2);
+    EXPECT_GT(lines.rbegin()->first, width + 1.5);
     float before = lines.begin()->first;
     for (const auto& [at, ends] : lines) {
       EXPECT_LE(at - before, 1.7 + 1e-5);
       before = at;
-      EXPECT_LT(ends.first, 0); // the cutter overhangs
+      EXPECT_LT(ends.first, 0);
       EXPECT_GT(ends.second, length);
     }
   }
@@ -64,19 +66,21 @@ TEST_F(RasterLines, AreAtMostTheStepOverApartAndReachOverThePart)
 TEST_F(RasterLines, RunForthAndBackInTurn)
 {
   const auto path = raster(stage, cloud);
-  std::uint32_t passes = 0;
-  for (std::size_t i = 1; i < path.size(); ++i)
-    if (path[i].label == path[i - 1].label) {
-      const bool forth = path[i].label % 2 == 0;
+  std::set<float> rows;
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    if (i > 0 && path[i].label != path[i - 1].label) {
+      EXPECT_EQ(path[i].label, path[i - 1].label + 1);
+    }
+    else if (i > 0) {
+      const bool forth = rows.size() % 2 == 1;
       EXPECT_EQ(path[i].x > path[i - 1].x, forth) << i;
       EXPECT_LE(std::abs(path[i].x - path[i - 1].x), 0.9 + 1e-5);
       EXPECT_EQ(path[i].y, path[i - 1].y);
     }
-    else {
-      EXPECT_EQ(path[i].label, path[i - 1].label + 1);
-      passes = path[i].label;
-    }
-  EXPECT_EQ(stage.getReport().get("passes"), passes + 1.0);
+    rows.insert(path[i].y);
+    EXPECT_EQ(path[i].y, *rows.rbegin()) << "row after row";
+  }
+  EXPECT_EQ(stage.getReport().get("passes"), path.back().label + 1.0);
 }
 
 TEST_F(RasterLines, AreInterruptedWhereNoPointIsUnderTheCutter)
@@ -90,7 +94,7 @@ TEST_F(RasterLines, AreInterruptedWhereNoPointIsUnderTheCutter)
     auto& x = passes.emplace(p.label, std::make_pair(p.x, p.x)).first->second;
     x = {std::min(x.first, p.x), std::max(x.second, p.x)};
   }
-  EXPECT_EQ(passes.size(), 14u); // 7 lines of 2
+  EXPECT_EQ(passes.size(), 20u); // 10 rows of 2 from -2 to 12
   for (const auto& pass : passes)
     EXPECT_LT(pass.second.second - pass.second.first, 14.1f);
 }
@@ -187,40 +191,106 @@ TEST_F(RasterRefuses, AScallopOfAFlatTool)
   expectRefused<ParameterError>("flat");
 }
 
-TEST_F(RasterLines, OfAMinimumSlopeKeepTheSteepStretchesOnly)
+namespace {
+
+/// Cuts a block 0.3 deep along the path. Of all moves over its middle, the share that
+/// had more material on their right than on their left before they came.
+double materialOnTheRight(const CLCloud& path, const Tool& tool)
 {
-  // A roof: flat, 60 degrees up, flat. Lines along X meet the slope, lines along Y not.
-  const double rise = std::tan(M_PI / 3);
-  const auto roof = surface({0, 0, 40, 12}, 0.2, [&](double x, double) {
-    return rise * std::min(8.0, std::max(0.0, x - 16));
-  });
-  stage.setForwardStep(0.5);
-  stage.setFloor(0);
-  const auto all = raster(stage, roof);
-  stage.setMinSlope(45);
-  const auto steep = raster(stage, roof);
-  ASSERT_FALSE(steep.empty());
-  EXPECT_LT(steep.size(), all.size() / 2);
-  std::size_t on_slope = 0;
-  for (const auto& p : steep)
-    on_slope += p.x > 14 && p.x < 25;
-  std::size_t wanted = 0;
-  for (const auto& p : all)
-    wanted += p.x > 16.5 && p.x < 22;
-  std::size_t held = 0;
-  for (const auto& p : steep)
-    held += p.x > 16.5 && p.x < 22;
-  EXPECT_EQ(held, wanted) << "of the slope nothing is left out";
-  // Beside the part the ball falls off its ends, steeply too.
-  for (const auto& p : steep)
-    EXPECT_TRUE(p.x < 1.5 || (p.x > 13 && p.x < 26) || p.x > 38.5) << p.x;
-  EXPECT_GT(on_slope, 0u);
-  for (std::size_t i = 1; i < steep.size(); ++i)
-    if (steep[i].label == steep[i - 1].label) {
-      EXPECT_LE(std::abs(steep[i].x - steep[i - 1].x), 0.5 + 1e-5)
-          << "a chord over what was left out";
+  StockField field({{0, 0, -2}, {60, 40, 0.3}}, 0.1, StockField::Bound::Nominal);
+  const auto height = [&](const Eigen::Vector2d& p) {
+    return field.height(static_cast<int>(p.x() / 0.1), static_cast<int>(p.y() / 0.1));
+  };
+  std::size_t right = 0, all = 0;
+  forMovesOfPasses(path, [&](const auto& a, const auto& b, const PointCL&) {
+    const Eigen::Vector2d at = 0.5 * (a + b).template head<2>();
+    const Eigen::Vector2d feed = (b - a).template head<2>();
+    if (feed.norm() > 0 && at.x() > 20 && at.x() < 40 && at.y() > 14 && at.y() < 26) {
+      const Eigen::Vector2d side =
+          0.5 * Eigen::Vector2d(feed.y(), -feed.x()).normalized();
+      right += height(at + side) > height(at - side) + 0.05;
+      ++all;
     }
-  stage.setMinSlope(75);
-  for (const auto& p : raster(stage, roof))
-    EXPECT_TRUE(p.x < 1.5 || p.x > 38.5) << p.x;
+    field.cut(tool, a, b);
+  });
+  return static_cast<double>(right) / static_cast<double>(all);
+}
+
+} // namespace
+
+TEST_F(RasterLines, OfOneWayHaveTheMaterialOnOneSide)
+{
+  const auto flat = surface({0, 0, 60, 40}, 0.25, [](double, double) { return 0; });
+  stage.setStepOver(0.8);
+  for (const double degrees : {0.0, 90.0, 143.0, -20.0}) {
+    stage.setAngle(degrees);
+    stage.setPattern(RasterPattern::OneWay);
+    stage.setMillingMode(MillingMode::Climb);
+    EXPECT_EQ(materialOnTheRight(raster(stage, flat), stage.getTool()), 1) << degrees;
+    stage.setMillingMode(MillingMode::Conventional);
+    EXPECT_EQ(materialOnTheRight(raster(stage, flat), stage.getTool()), 0) << degrees;
+    stage.setPattern(RasterPattern::ZigZag);
+    EXPECT_NEAR(materialOnTheRight(raster(stage, flat), stage.getTool()), 0.5, 0.1);
+  }
+}
+
+TEST_F(RasterLines, OfOneWayKeepTheSideWhereRowsAreInserted)
+{
+  const auto slope =
+      surface({0, 0, 60, 40}, 0.2, [](double, double y) { return 2 * y; });
+  stage.setScallop(0.05);
+  stage.setPattern(RasterPattern::OneWay);
+  for (const auto mode : {MillingMode::Climb, MillingMode::Conventional}) {
+    stage.setMillingMode(mode);
+    const auto path = raster(stage, slope);
+    ASSERT_GT(stage.getReport().get("inserted_passes"), 50);
+    for (std::size_t i = 1; i < path.size(); ++i)
+      if (path[i].label == path[i - 1].label) {
+        EXPECT_GT(path[i].x, path[i - 1].x);
+      }
+      else if (mode == MillingMode::Climb) {
+        EXPECT_LE(path[i].y, path[i - 1].y);
+      }
+      else {
+        EXPECT_GE(path[i].y, path[i - 1].y);
+      }
+  }
+}
+
+TEST_F(RasterLines, AtAnyAngleLieAtThatAngle)
+{
+  for (const double degrees : {30.0, -75.0, 200.0}) {
+    stage.setAngle(degrees);
+    const auto path = raster(stage, cloud);
+    const double c = std::cos(degrees * M_PI / 180), s = std::sin(degrees * M_PI / 180);
+    std::set<long> rows;
+    for (const auto& p : path)
+      rows.insert(std::lround(1e3 * (c * p.y - s * p.x)));
+    const auto width = static_cast<double>(*rows.rbegin() - *rows.begin()) / 1e3;
+    EXPECT_LE(static_cast<double>(rows.size()), 2 * (width / 1.7 + 1)) << "rounding";
+    for (auto row = std::next(rows.begin()); row != rows.end(); ++row)
+      EXPECT_LE(*row - *std::prev(row), 1701);
+  }
+}
+
+TEST_F(RasterLines, ChooseTheirDirectionByThePart)
+{
+  const auto angleOver = [&](const Cloud::Ptr& part) {
+    stage.setDirection(RasterDirection::Auto);
+    stage.setScallop(0.01);
+    raster(stage, part);
+    return stage.getReport().get("angle_deg");
+  };
+  // A flat: the fewer rows the better.
+  const auto flat = [](double, double) { return 0; };
+  EXPECT_EQ(angleOver(surface({0, 0, 60, 20}, 0.5, flat)), 0);
+  EXPECT_EQ(angleOver(surface({0, 0, 20, 60}, 0.5, flat)), 90);
+  // Rows along the contour of a steep roof need not go up and down.
+  const auto roof = [](double t) { return 3 * (15 - std::abs(t - 15)); };
+  EXPECT_EQ(angleOver(surface(
+                {0, 0, 30, 30}, 0.3, [&](double x, double) { return roof(x); })),
+            90);
+  EXPECT_EQ(angleOver(surface(
+                {0, 0, 30, 30}, 0.3, [&](double, double y) { return roof(y); })),
+            0);
 }

@@ -18,7 +18,7 @@ void MillOptions::validate() const
   checkRange(who, "--stock-bottom", stock_bottom, "mm", {0, 500});
   checkRange(who, "--step-down", step_down, "mm", {0, rough.tool.diameter});
   checkRange(who, "--step-over", step_over, "mm", {0, rough.tool.endDiameter()});
-  checkRange(who, "--steep", steep, "deg", {0, 89});
+  checkRange(who, "--overhang", overhang, "mm", {-100, 100});
   checkRange(who, "--residual-limit", residual_limit, "mm", {0.001, 1000});
   checkRange(who, "--fit", fit, "mm", {0, 3000});
   checkRange(who, "--units/--scale", mm_per_unit, "mm per unit", {1e-6, 1e6});

@@ -81,8 +81,7 @@ void MillJob::planRoughing(const ToolJob& job,
 
 CLCloud MillJob::rasterPasses(const ToolJob& job,
                               double scallop,
-                              RasterDirection direction,
-                              double min_slope,
+                              bool across,
                               PlannedOperation& planned) const
 {
   CLSurface<pcl::PointXYZ> raster;
@@ -91,75 +90,73 @@ CLCloud MillJob::rasterPasses(const ToolJob& job,
   raster.setForwardStep(job.tool.endDiameter() / 6);
   raster.setAllowance(job.allowance);
   raster.setFloor(floor_);
-  raster.setDirection(direction);
-  raster.setMinSlope(min_slope);
+  raster.setDirection(options_.raster);
+  raster.setAcross(across);
+  raster.setPattern(options_.pattern);
+  raster.setMillingMode(options_.milling);
+  if (!options_.boundary.empty())
+    raster.setBoundary(options_.boundary);
+  else if (options_.over_stock)
+    raster.setBoundary(stock_);
+  raster.setOverhang(options_.overhang);
   raster.setModel(model_);
   raster.setNumberOfThreads(options_.threads);
 
+  const double chord = ErrorBudget::of(options_.tolerance).chord;
   BufferPoints<pcl::PointXYZ> buffer;
   buffer.setModel(model_);
   buffer.setTool(job.tool);
   buffer.setAllowance(job.allowance);
   buffer.setFloor(floor_);
-  const double chord = ErrorBudget::of(options_.tolerance).chord;
   buffer.setTolerance(ToleranceBand{chord, chord / 2}); // simplifying adds to this
   buffer.setNumberOfThreads(options_.threads);
 
-  CLCloud::Ptr lines(new CLCloud);
-  raster.setInputCloud(part_);
-  raster.filter(*lines);
-  const std::string prefix = min_slope > 0 ? "steep_" : "";
-  for (const auto& f : raster.getReport().figures())
-    planned.report.set(prefix + "raster_" + f.first, f.second);
-  if (lines->empty()) // nothing is that steep
-    return {};
   SimplifyPath simplify;
   simplify.setPart(surface_, job.allowance);
   simplify.setTool(job.tool);
   simplify.setTolerance({chord, chord / 2});
   simplify.setNumberOfThreads(options_.threads);
-  OrderPasses order;
-  const CLCloud passes = *pointmill::run<PointCL>(lines, buffer, simplify, order);
-  for (const auto& f : order.getReport().figures())
-    planned.report.set(prefix + "order_" + f.first, f.second);
-  for (const auto& f : buffer.getReport().figures())
-    planned.report.set(prefix + "buffer_" + f.first, f.second);
-  for (const auto& f : simplify.getReport().figures())
-    planned.report.set(prefix + "simplify_" + f.first, f.second);
-  if (min_slope > 0)
-    return passes;
+
+  CLCloud::Ptr rows(new CLCloud);
+  raster.setInputCloud(clean_);
+  raster.filter(*rows);
   planned.parameters = listParameters(raster);
+  const auto report = [&](const std::string& stage, const Report& figures) {
+    for (const auto& f : figures.figures())
+      planned.report.set(stage + f.first, f.second);
+  };
+  report("raster_", raster.getReport());
+  if (rows->empty())
+    return {};
+  auto passes = pointmill::run<PointCL>(rows, buffer, simplify);
+  report("buffer_", buffer.getReport());
+  report("simplify_", simplify.getReport());
+  if (options_.pattern == RasterPattern::ZigZag) { // others must not be turned round
+    OrderPasses order;
+    passes = pointmill::run<PointCL>(passes, order);
+    report("order_", order.getReport());
+  }
   for (const auto& p : listParameters(buffer))
     if (p.name != "allowance")
       planned.parameters.push_back(p);
-  return passes;
+  return *passes;
 }
 
 void MillJob::planFinishing(const ToolJob& job,
                             const std::string& name,
                             double scallop,
-                            bool steep_too)
+                            bool across)
 {
   PlannedOperation planned;
   planned.operation.name = name;
   planned.operation.tool = job.tool;
   planned.operation.cutting = job.cutting;
   planned.allowance = job.allowance;
-  planned.colour = steep_too ? 4 : 2;
+  planned.colour = across ? 4 : 2;
   const auto start = std::chrono::steady_clock::now();
-
-  CLCloud passes = rasterPasses(job, scallop, options_.raster, 0.0, planned);
-  if (options_.steep > 0 && steep_too) {
-    // Where the ground falls across the lines they lie too far apart on it.
-    const auto across = options_.raster == RasterDirection::AlongX
-                            ? RasterDirection::AlongY
-                            : RasterDirection::AlongX;
-    CLCloud steep = rasterPasses(job, scallop, across, options_.steep, planned);
-    const std::uint32_t next = passes.empty() ? 0 : passes.back().label + 1;
-    for (auto& p : steep)
-      p.label += next;
-    passes += steep;
-  }
+  const CLCloud passes = rasterPasses(job, scallop, across, planned);
+  if (passes.empty())
+    throw DataError(name + ": no row lies over the part: look at the boundary");
   link(planned, passes);
   planned.seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

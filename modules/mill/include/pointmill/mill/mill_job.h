@@ -110,11 +110,10 @@ private:
   void planFinishing(const ToolJob& job,
                      const std::string& name,
                      double scallop,
-                     bool steep_too);
+                     bool across);
   CLCloud rasterPasses(const ToolJob& job,
                        double scallop,
-                       RasterDirection direction,
-                       double min_slope,
+                       bool across,
                        PlannedOperation& planned) const;
   void link(PlannedOperation& planned, const CLCloud& passes);
   void writeProgram();

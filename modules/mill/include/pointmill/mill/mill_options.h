@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <limits>
 #include <string>
+#include <vector>
 
 namespace pointmill {
 
@@ -70,9 +71,14 @@ struct MillOptions {
   RoughingStrategy roughing = RoughingStrategy::ZigZag;
   double step_down = 0.0; ///< of the roughing; 0: 0.3 d / 4
   double step_over = 0.0; ///< of the roughing; 0: 0.4 d
-  RasterDirection raster = RasterDirection::AlongX;
-  double steep =
-      45.0; ///< steeper ground [degrees] is rastered across as well; 0: never
+  RasterDirection raster = RasterDirection::Auto;
+  RasterPattern pattern = RasterPattern::ZigZag;
+  MillingMode milling = MillingMode::Climb; ///< of one-way rows
+  /// Semi-finishing and finishing keep the tool's axis inside this polygon of the part
+  /// frame [mm]; empty: wherever the tool touches the part.
+  std::vector<Eigen::Vector2d> boundary;
+  bool over_stock = false; ///< the boundary is the stock, where no polygon is given
+  double overhang = 0.0;   ///< beyond the boundary [mm]
   ToolJob rough{Tool::flat(1, 10.0), {8000, 1200, 300, true}, 0.5};
   ToolJob semi{Tool::ball(2, 5.0), {12000, 1200, 300, true}, 0.2};
   ToolJob finish{Tool::ball(3, 3.0), {16000, 1000, 300, true}, 0.0};

@@ -15,19 +15,28 @@ void CLSurface<PointT>::apply(CLCloud& output)
   if (!model)
     model = std::make_shared<SurfaceModel>(std::make_shared<PointIndex>(makePointIndex(
         *this->input_, *this->indices_, pcl::PointCloud<pcl::PointXYZ>())));
-  const double floor = std::isfinite(floor_) ? floor_ : model->points().min().z();
-  output = Raster{tool_,
-                  step_over_,
-                  forward_step_,
-                  allowance_,
-                  floor,
-                  min_slope_,
-                  direction_,
-                  threads_}
-               .over(*model);
-  this->report_.set("cl_points", static_cast<double>(output.size()));
-  this->report_.set("passes", output.empty() ? 0.0 : output.back().label + 1.0);
-  this->report_.set("step_over_mm", step_over_);
+  Raster raster = raster_;
+  raster.floor = std::isfinite(floor_) ? floor_ : model->points().min().z();
+  if (!polygon_.empty())
+    raster.boundary = Boundary(polygon_, overhang_);
+  if (choose_)
+    raster.angle = rasterAngle(raster, *model);
+  RasterPasses found = raster.over(*model);
+  output.swap(found.path);
+  const auto set = [&](const char* name, double value) {
+    this->report_.set(name, value);
+  };
+  set("cl_points", static_cast<double>(output.size()));
+  set("passes", static_cast<double>(found.passes));
+  set("step_over_mm", raster.step_over);
+  set("angle_deg", raster.angle);
+  if (raster.scallop <= 0)
+    return;
+  set("inserted_passes", static_cast<double>(found.inserted));
+  set("across_passes", static_cast<double>(found.across));
+  set("scallop_p95_mm", found.scallop_p95);
+  set("scallop_max_mm", found.scallop_max);
+  set("scallop_exceeded_mm2", found.left);
 }
 
 } // namespace pointmill
