@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the PointMill authors
+#pragma once
+
+#include <pointmill/common/tool.h>
+#include <pointmill/surface/contact.h>
+#include <pointmill/surface/sorted_points.h>
+#include <pointmill/surface/sweep.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+// What single points are worth to a search, in double. ask() takes a point into account,
+// mayBeat() says whether points below `top`, all at `first` or behind, can change the
+// result for a cutter whose lower surface is nowhere below the move's lowest tip.
+namespace pointmill {
+
+/// Resting height on a point. Of points that give the same height, the first counts.
+class DropValue {
+public:
+  DropValue(const SortedPoints& points, const Tool& tool, double x, double y)
+      : points_(points), tool_(tool), x_(x), y_(y), radius_(tool.radius())
+  {
+  }
+
+  void ask(std::size_t i)
+  {
+    const double dx = points_.x[i] - x_, dy = points_.y[i] - y_;
+    const double distance = std::sqrt(dx * dx + dy * dy);
+    if (!(distance <= radius_))
+      return;
+    const double tip = points_.z[i] - tool_.profile(distance);
+    const auto point = static_cast<std::int64_t>(i);
+    if (tip > contact_.tip || (tip == contact_.tip && point < contact_.point)) {
+      contact_.tip = tip;
+      contact_.point = point;
+      distance_ = distance;
+    }
+  }
+  bool mayBeat(double top, std::size_t first) const
+  {
+    return top > contact_.tip || (top == contact_.tip &&
+                                  static_cast<std::int64_t>(first) < contact_.point);
+  }
+
+  double best() const { return contact_.tip; }
+  const Contact& contact() const { return contact_; }
+  double distance() const { return distance_; } ///< from the contact to the axis
+
+private:
+  const SortedPoints& points_;
+  const Tool& tool_;
+  double x_, y_, radius_, distance_ = 0;
+  Contact contact_;
+};
+
+/// Height over which a level move is clear of a point.
+class AlongValue {
+public:
+  AlongValue(const SortedPoints& points,
+             const Tool& tool,
+             const Eigen::Vector2d& a,
+             const Eigen::Vector2d& b)
+      : points_(points), tool_(tool), a_(a), b_(b), radius_(tool.radius())
+  {
+  }
+
+  void ask(std::size_t i)
+  {
+    const double distance = std::sqrt(segmentDistance2(
+        a_.x(), a_.y(), b_.x(), b_.y(), points_.x[i], points_.y[i]));
+    if (distance <= radius_)
+      best_ = std::max(best_, points_.z[i] - tool_.profile(distance));
+  }
+  bool mayBeat(double top, std::size_t) const { return top > best_; }
+  double best() const { return best_; }
+
+private:
+  const SortedPoints& points_;
+  const Tool& tool_;
+  Eigen::Vector2d a_, b_;
+  double radius_, best_ = -std::numeric_limits<double>::infinity();
+};
+
+/// Depth of a point inside the cutter on a straight move; more than `tolerance` counts.
+class GougeValue {
+public:
+  GougeValue(const SortedPoints& points,
+             const Tool& tool,
+             const Eigen::Vector3d& a,
+             const Eigen::Vector3d& b,
+             double tolerance)
+      : points_(points), tool_(tool), a_(a), b_(b), lowest_(std::min(a.z(), b.z())),
+        best_(tolerance)
+  {
+  }
+
+  void ask(std::size_t i)
+  {
+    if (points_.z[i] > lowest_ + best_) // no deeper inside than below the surface
+      best_ = std::max(
+          best_,
+          penetration(tool_, a_, b_, {points_.x[i], points_.y[i], points_.z[i]}));
+  }
+  bool mayBeat(double top, std::size_t) const { return top > lowest_ + best_; }
+  double best() const { return best_; }
+
+private:
+  const SortedPoints& points_;
+  const Tool& tool_;
+  Eigen::Vector3d a_, b_;
+  double lowest_, best_;
+};
+
+} // namespace pointmill
