@@ -146,9 +146,9 @@ void CellSort::chooseBands()
   const int rows = points_.frame.rows;
   const double wanted =
       std::clamp(static_cast<double>(finite_) / kPointsPerBand, 1.0, 1.0 * kMostBands);
-  const int groups = static_cast<int>(std::ceil(rows / wanted / kRowsTogether));
-  rows_per_band_ = std::max(1, groups) * kRowsTogether;
-  bands_ = (rows + rows_per_band_ - 1) / rows_per_band_;
+  while ((1 << band_shift_) * wanted < rows)
+    ++band_shift_;
+  bands_ = ((rows - 1) >> band_shift_) + 1;
 }
 
 SortedPoints CellSort::run(const std::function<void(int, int)>& sorted)
@@ -161,7 +161,7 @@ SortedPoints CellSort::run(const std::function<void(int, int)>& sorted)
   points_.start.resize(static_cast<std::size_t>(frame.columns) * frame.rows + 1);
   countBands();
   for (int band = 0; band < bands_; ++band)
-    points_.start[static_cast<std::size_t>(band) * rows_per_band_ * frame.columns] =
+    points_.start[(static_cast<std::size_t>(band) << band_shift_) * frame.columns] =
         static_cast<std::uint32_t>(band_start_[band]);
   points_.start.back() = static_cast<std::uint32_t>(finite_);
   deal();
@@ -170,8 +170,8 @@ SortedPoints CellSort::run(const std::function<void(int, int)>& sorted)
     BandScratch scratch;
     for (std::size_t band; (band = next++) < static_cast<std::size_t>(bands_);) {
       sortBand(band, scratch);
-      const int row0 = static_cast<int>(band) * rows_per_band_;
-      sorted(row0, std::min(row0 + rows_per_band_, frame.rows));
+      const int row0 = static_cast<int>(band << band_shift_);
+      sorted(row0, std::min(row0 + (1 << band_shift_), frame.rows));
     }
   });
   return std::move(points_);
@@ -210,8 +210,8 @@ void CellSort::deal()
 void CellSort::sortBand(std::size_t band, BandScratch& scratch)
 {
   const CellFrame& frame = points_.frame;
-  const int row0 = static_cast<int>(band) * rows_per_band_;
-  const int row1 = std::min(row0 + rows_per_band_, frame.rows);
+  const int row0 = static_cast<int>(band << band_shift_);
+  const int row1 = std::min(row0 + (1 << band_shift_), frame.rows);
   const std::size_t first_cell = static_cast<std::size_t>(row0) * frame.columns;
   const std::size_t cells = static_cast<std::size_t>(row1 - row0) * frame.columns;
   const std::size_t first = band_start_[band], count = band_start_[band + 1] - first;

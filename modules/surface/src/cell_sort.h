@@ -9,12 +9,12 @@
 namespace pointmill {
 
 /// Sorts points into cells: once through the input for its box, once to count the
-/// points of each band of rows, once to deal them to the bands, and then band by band in
-/// the cache. The order does not depend on the number of threads.
+/// points of each band of rows, once to deal them to the bands, and then band by band
+/// in the cache. The order does not depend on the number of threads.
 class CellSort {
 public:
-  /// Bands hold whole multiples of so many rows.
-  static constexpr int kRowsTogether = 4;
+  /// Bands hold whole multiples of 2^this rows.
+  static constexpr int kRowsTogetherShift = 2;
 
   /// Measures the box, so that `points().frame` is known. Points that are not finite
   /// are left out.
@@ -40,12 +40,12 @@ private:
   void sortBand(std::size_t band, struct BandScratch& scratch);
   template <typename Visit>
   void forPoints(std::size_t part, Visit&& visit) const;
-  int bandOf(float y) const { return points_.frame.row(y) / rows_per_band_; }
+  int bandOf(float y) const { return points_.frame.row(y) >> band_shift_; }
 
   std::vector<PointSource> sources_;
   unsigned threads_;
   std::size_t count_ = 0, parts_ = 1, dropped_ = 0, finite_ = 0;
-  int rows_per_band_ = kRowsTogether, bands_ = 1;
+  int band_shift_ = kRowsTogetherShift, bands_ = 1;
   std::vector<std::size_t> at_; // [part][band]: where its next point goes
   std::vector<std::size_t> band_start_;
   SortedPoints points_;

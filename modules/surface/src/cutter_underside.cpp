@@ -3,7 +3,6 @@
 #include "cutter_underside.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace pointmill {
@@ -11,6 +10,7 @@ namespace pointmill {
 CutterUnderside::CutterUnderside(const Tool& tool)
     : tool_(tool), radius_(tool.radius()), corner_(tool.corner_radius),
       flat_(radius_ - corner_),
+      bend_of_tip_(flat_ <= 0 && corner_ > 0 ? 0.5 / corner_ : 0.0),
       rounded_(tool.profile(std::max(0.0, flat_)) == 0.0 &&
                std::abs(tool.profile(radius_) - corner_) <= 1e-9 * radius_)
 {
@@ -47,25 +47,13 @@ double CutterUnderside::highestUnder(double bend) const
   return height;
 }
 
-Paraboloid CutterUnderside::touching(double r) const
+Paraboloid CutterUnderside::chord(double r) const
 {
-  if (rounded_) {
-    // In r^2 the profile is convex, so that its tangent there is nowhere above it.
-    const double u = std::min(r - flat_, kSteepest * corner_);
-    if (!(u > 0)) {
-      const bool ball = flat_ <= 0;
-      return {0.0, ball && corner_ > 0 ? 0.5 / corner_ : 0.0};
-    }
-    const double w = std::sqrt(corner_ * corner_ - u * u), at = flat_ + u;
-    const double bend = 0.5 * u / (w * at);
-    return {corner_ - w - bend * at * at, bend};
-  }
   const int k = std::clamp(static_cast<int>(r / radius_ * kKnots), 0, kKnots - 1);
-  const auto chord = [&](double a, double b) {
+  const auto slope = [&](double a, double b) {
     return (tool_.profile(b) - tool_.profile(a)) / (b * b - a * a);
   };
-  const double bend =
-      std::min(chord(knot(k), knot(k + 1)), chord(knot(k), radius_));
+  const double bend = std::min(slope(knot(k), knot(k + 1)), slope(knot(k), radius_));
   return {highestUnder(bend), bend};
 }
 

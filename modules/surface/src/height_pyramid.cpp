@@ -168,10 +168,9 @@ void HeightPyramid::addParent(const Level& children, Level& parents, int i, int 
   for (int k = 0; k < kNodes; ++k) {
     const double dx = (k % kSide + 0.5 - 0.5 * kSide) * children.size;
     const double dy = (k / kSide + 0.5 - 0.5 * kSide) * children.size;
-    const double more =
-        kHalf * children.size *
-        (std::abs(children.slope_x[block + k] - sx) +
-         std::abs(children.slope_y[block + k] - sy));
+    const double more = kHalf * children.size *
+                        (std::abs(children.slope_x[block + k] - sx) +
+                         std::abs(children.slope_y[block + k] - sy));
     mid = std::max(mid, children.mid[block + k] + more - sx * dx - sy * dy);
     top = std::max(top, children.top[block + k]);
   }

@@ -8,8 +8,8 @@
 
 namespace pointmill {
 
-/// How high the points of each cell reach, and of each square of 4 x 4 cells, of 16 x 16
-/// and so on. A square (a node) keeps its highest point and a slanted plane that no
+/// How high the points of each cell reach, and of each square of 4 x 4 cells, of 16 x
+/// 16 and so on. A square (a node) keeps its highest point and a slanted plane that no
 /// point of it is above: on smooth ground a plane is tighter than a level lid by orders
 /// of magnitude, and that is what makes the search short.
 class HeightPyramid {

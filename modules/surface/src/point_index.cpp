@@ -57,8 +57,7 @@ void PointIndex::dropRow(const Tool& tool,
 double PointIndex::dropAlong(
     const Tool& tool, double ax, double ay, double bx, double by) const
 {
-  return searches().back().drop_along(
-      {points_, *pyramid_}, tool, {ax, ay}, {bx, by});
+  return searches().back().drop_along({points_, *pyramid_}, tool, {ax, ay}, {bx, by});
 }
 
 double PointIndex::gouge(const Tool& tool,

@@ -29,10 +29,21 @@ struct Move {
 namespace avx512 {
 namespace {
 constexpr int kLanes = 16;
-template <typename V>
-inline unsigned bitsOf(V v)
+typedef float Floats __attribute__((vector_size(4 * kLanes)));
+inline unsigned within(Floats value, float limit, Floats distance, float reach)
 {
-  return static_cast<unsigned>(_mm512_movepi32_mask((__m512i)v));
+  const __mmask16 high = _mm512_cmp_ps_mask(value, _mm512_set1_ps(limit), _CMP_GE_OQ);
+  return _mm512_mask_cmp_ps_mask(high, distance, _mm512_set1_ps(reach), _CMP_LE_OQ);
+}
+inline float largest(Floats v)
+{
+  __m256 half[2];
+  __builtin_memcpy(half, &v, sizeof half);
+  const __m256 eight = _mm256_max_ps(half[0], half[1]);
+  const __m128 four =
+      _mm_max_ps(_mm256_castps256_ps128(eight), _mm256_extractf128_ps(eight, 1));
+  const __m128 two = _mm_max_ps(four, _mm_movehl_ps(four, four));
+  return _mm_cvtss_f32(_mm_max_ss(two, _mm_movehdup_ps(two)));
 }
 #include "search.inl"
 } // namespace
@@ -44,10 +55,19 @@ inline unsigned bitsOf(V v)
 namespace avx2 {
 namespace {
 constexpr int kLanes = 8;
-template <typename V>
-inline unsigned bitsOf(V v)
+typedef float Floats __attribute__((vector_size(4 * kLanes)));
+inline unsigned within(Floats value, float limit, Floats distance, float reach)
 {
-  return static_cast<unsigned>(_mm256_movemask_ps((__m256)v));
+  const __m256 high = _mm256_cmp_ps(value, _mm256_set1_ps(limit), _CMP_GE_OQ);
+  const __m256 near = _mm256_cmp_ps(distance, _mm256_set1_ps(reach), _CMP_LE_OQ);
+  return static_cast<unsigned>(_mm256_movemask_ps(_mm256_and_ps(high, near)));
+}
+inline float largest(Floats v)
+{
+  const __m128 four =
+      _mm_max_ps(_mm256_castps256_ps128(v), _mm256_extractf128_ps(v, 1));
+  const __m128 two = _mm_max_ps(four, _mm_movehl_ps(four, four));
+  return _mm_cvtss_f32(_mm_max_ss(two, _mm_movehdup_ps(two)));
 }
 #include "search.inl"
 } // namespace
@@ -59,13 +79,17 @@ inline unsigned bitsOf(V v)
 namespace plain {
 namespace {
 constexpr int kLanes = 4;
-template <typename V>
-inline unsigned bitsOf(V v)
+typedef float Floats __attribute__((vector_size(4 * kLanes)));
+inline unsigned within(Floats value, float limit, Floats distance, float reach)
 {
   unsigned bits = 0;
   for (int k = 0; k < kLanes; ++k)
-    bits |= v[k] ? 1u << k : 0u;
+    bits |= unsigned(value[k] >= limit && distance[k] <= reach) << k;
   return bits;
+}
+inline float largest(Floats v)
+{
+  return std::max(std::max(v[0], v[1]), std::max(v[2], v[3]));
 }
 #include "search.inl"
 } // namespace

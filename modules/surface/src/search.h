@@ -29,8 +29,10 @@ struct Search {
                    const Eigen::Vector2d& step,
                    std::size_t count,
                    Contact* contacts);
-  double (*drop_along)(
-      const SearchSpace&, const Tool&, const Eigen::Vector2d& a, const Eigen::Vector2d& b);
+  double (*drop_along)(const SearchSpace&,
+                       const Tool&,
+                       const Eigen::Vector2d& a,
+                       const Eigen::Vector2d& b);
   double (*gouge)(const SearchSpace&,
                   const Tool&,
                   const Eigen::Vector3d& a,

@@ -11,48 +11,70 @@
 #include <cmath>
 #include <limits>
 
-// What single points are worth to a search, in double. ask() takes a point into account,
-// mayBeat() says whether points below `top`, all at `first` or behind, can change the
-// result for a cutter whose lower surface is nowhere below the move's lowest tip.
+// What single points are worth to a search, in double. ask() takes a point into
+// account, mayBeat() says whether points below `top`, all at `first` or behind, can
+// change the result for a cutter whose lower surface is nowhere below the move's lowest
+// tip.
 namespace pointmill {
 
 /// Resting height on a point. Of points that give the same height, the first counts.
 class DropValue {
 public:
-  DropValue(const SortedPoints& points, const Tool& tool, double x, double y)
-      : points_(points), tool_(tool), x_(x), y_(y), radius_(tool.radius())
+  DropValue(const SortedPoints& points, const Tool& tool)
+      : points_(points), tool_(tool), radius_(tool.radius()),
+        radius2_(radius_ * radius_), ball_(tool.isBall())
   {
+  }
+  void startAt(const Eigen::Vector2d& at)
+  {
+    at_ = at;
+    tip_ = -std::numeric_limits<double>::infinity();
+    point_ = -1;
   }
 
   void ask(std::size_t i)
   {
-    const double dx = points_.x[i] - x_, dy = points_.y[i] - y_;
-    const double distance = std::sqrt(dx * dx + dy * dy);
-    if (!(distance <= radius_))
+    const double dx = points_.x[i] - at_.x(), dy = points_.y[i] - at_.y();
+    const double d2 = dx * dx + dy * dy;
+    if (!(d2 <= radius2_))
       return;
-    const double tip = points_.z[i] - tool_.profile(distance);
+    const double profile = ball_ ? radius_ - std::sqrt(radius2_ - d2)
+                                 : tool_.profile(std::min(std::sqrt(d2), radius_));
+    const double tip = points_.z[i] - profile;
     const auto point = static_cast<std::int64_t>(i);
-    if (tip > contact_.tip || (tip == contact_.tip && point < contact_.point)) {
-      contact_.tip = tip;
-      contact_.point = point;
-      distance_ = distance;
+    if (tip > tip_ || (tip == tip_ && point < point_)) {
+      tip_ = tip;
+      point_ = point;
     }
   }
   bool mayBeat(double top, std::size_t first) const
   {
-    return top > contact_.tip || (top == contact_.tip &&
-                                  static_cast<std::int64_t>(first) < contact_.point);
+    return top > tip_ || (top == tip_ && static_cast<std::int64_t>(first) < point_);
   }
 
-  double best() const { return contact_.tip; }
-  const Contact& contact() const { return contact_; }
-  double distance() const { return distance_; } ///< from the contact to the axis
+  const SortedPoints& points() const { return points_; }
+  double best() const { return tip_; }
+  bool touches() const { return point_ >= 0; }
+  std::int64_t point() const { return point_; }
+  Contact contact() const
+  {
+    Contact contact;
+    if (touches()) {
+      contact.tip = tip_;
+      contact.point = point_;
+      contact.at = {points_.x[point_], points_.y[point_], points_.z[point_]};
+    }
+    return contact;
+  }
 
 private:
   const SortedPoints& points_;
   const Tool& tool_;
-  double x_, y_, radius_, distance_ = 0;
-  Contact contact_;
+  double radius_, radius2_;
+  bool ball_;
+  Eigen::Vector2d at_{0, 0};
+  double tip_ = -std::numeric_limits<double>::infinity();
+  std::int64_t point_ = -1;
 };
 
 /// Height over which a level move is clear of a point.
@@ -68,12 +90,13 @@ public:
 
   void ask(std::size_t i)
   {
-    const double distance = std::sqrt(segmentDistance2(
-        a_.x(), a_.y(), b_.x(), b_.y(), points_.x[i], points_.y[i]));
+    const double distance = std::sqrt(
+        segmentDistance2(a_.x(), a_.y(), b_.x(), b_.y(), points_.x[i], points_.y[i]));
     if (distance <= radius_)
       best_ = std::max(best_, points_.z[i] - tool_.profile(distance));
   }
   bool mayBeat(double top, std::size_t) const { return top > best_; }
+  const SortedPoints& points() const { return points_; }
   double best() const { return best_; }
 
 private:
@@ -104,6 +127,7 @@ public:
           penetration(tool_, a_, b_, {points_.x[i], points_.y[i], points_.z[i]}));
   }
   bool mayBeat(double top, std::size_t) const { return top > lowest_ + best_; }
+  const SortedPoints& points() const { return points_; }
   double best() const { return best_; }
 
 private:

@@ -8,8 +8,6 @@
 
 #include <Eigen/Core>
 
-#include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -34,9 +32,10 @@ struct CellFrame {
   int row(double y) const { return place((y - y0) * per_mm, rows); }
 
 private:
-  static int place(double at, int count)
+  static int place(double at, int count) // NaN is put into the first
   {
-    return static_cast<int>(std::clamp(std::floor(at), 0.0, count - 1.0));
+    const double low = at > 0.0 ? at : 0.0, last = count - 1;
+    return static_cast<int>(low < last ? low : last);
   }
 };
 
