@@ -4,40 +4,56 @@
 
 #include <pointmill/common/tool.h>
 #include <pointmill/surface/contact.h>
+#include <pointmill/surface/sorted_points.h>
 
 #include <pcl/point_cloud.h>
 #include <pcl/types.h>
 
 #include <Eigen/Core>
 
-#include <cmath>
 #include <cstdint>
-#include <limits>
+#include <memory>
+#include <utility>
 #include <vector>
 
 namespace pointmill {
 
+class HeightPyramid;
+
 /// @brief The points of a part sorted into square XY cells, and the questions that
 /// every tool path asks of them. All answers are exact with respect to the points:
 /// every point under the cutter counts (paper 000, 3.3.2, corrected: `z_tip = max over
-/// points of p.z - profile(|p - c|)`). Points are held as float32, all arithmetic is
-/// double.
+/// points of p.z - profile(|p - c|)`). Points are held as float32, all arithmetic that
+/// shows is double. Answers depend neither on the order of the questions nor on the
+/// processor; heights not on the order of the points either.
 class PointIndex {
 public:
+  /// @param threads 0: as many as the machine has; the result is the same
   /// @throws DataError for no points at all, points that are not finite, or lists of
   ///         different lengths
-  PointIndex(std::vector<float> x, std::vector<float> y, std::vector<float> z);
+  PointIndex(const std::vector<float>& x,
+             const std::vector<float>& y,
+             const std::vector<float>& z,
+             unsigned threads = 0);
 
-  std::size_t size() const { return z_.size(); }
-  Eigen::Vector3d point(std::size_t i) const { return {x_[i], y_[i], z_[i]}; }
-  const Eigen::Vector3d& min() const { return min_; }
-  const Eigen::Vector3d& max() const { return max_; }
+  /// @brief Of the finite points of all @p sources.
+  /// @throws DataError for no finite point
+  explicit PointIndex(std::vector<PointSource> sources, unsigned threads = 0);
 
-  /// @brief Drops @p tool at (x, y) until it rests on a point.
+  std::size_t size() const { return points_.size(); }
+  Eigen::Vector3d point(std::size_t i) const
+  {
+    return {points_.x[i], points_.y[i], points_.z[i]};
+  }
+  const Eigen::Vector3d& min() const { return points_.min; }
+  const Eigen::Vector3d& max() const { return points_.max; }
+
+  /// @brief Drops @p tool at (x, y) until it rests on a point: of those that hold it at
+  /// the same height, the first in the index. On nothing where a coordinate is NaN.
   Contact drop(const Tool& tool, double x, double y) const;
 
   /// @brief Drops @p tool at `count` places in a row, `from + i * step`; the same
-  /// answers as drop(), sooner.
+  /// answers as drop(), sooner, where the places are near each other.
   void dropRow(const Tool& tool,
                const Eigen::Vector2d& from,
                const Eigen::Vector2d& step,
@@ -56,55 +72,52 @@ public:
                double tolerance) const;
 
   // The cells, for those who walk over all points.
-  double cellSize() const { return cell_; }
-  int columns() const { return columns_; }
-  int rows() const { return rows_; }
+  double cellSize() const { return points_.frame.cell; }
+  int columns() const { return points_.frame.columns; }
+  int rows() const { return points_.frame.rows; }
   /// @brief Points [first, last) of the cells @p column0 .. @p column1 of one row.
   std::pair<std::size_t, std::size_t> cells(int row, int column0, int column1) const
   {
-    const std::size_t at = static_cast<std::size_t>(row) * columns_;
-    return {start_[at + column0], start_[at + column1 + 1]};
+    const std::size_t at = static_cast<std::size_t>(row) * columns();
+    return {points_.start[at + column0], points_.start[at + column1 + 1]};
   }
-  int columnOf(double x) const;
-  int rowOf(double y) const;
+  int columnOf(double x) const { return points_.frame.column(x); }
+  int rowOf(double y) const { return points_.frame.row(y); }
 
 private:
-  template <typename Visit>
-  void
-  scan(double ax, double ay, double bx, double by, double radius, Visit&& visit) const;
+  friend class SearchChoice;
+  void build(std::vector<PointSource> sources, unsigned threads, bool all_finite);
 
-  std::vector<float> x_, y_, z_;
-  std::vector<std::uint32_t> start_;
-  std::vector<float> top_; // highest point of each cell
-  Eigen::Vector3d min_, max_;
-  double cell_ = 1.0;
-  int columns_ = 1, rows_ = 1;
+  SortedPoints points_;
+  std::shared_ptr<const HeightPyramid> pyramid_; // of points_; it never changes
 };
+
+/// @brief Where the points of @p cloud lie that @p indices name, or all for nullptr.
+/// Both must outlive the source.
+template <typename PointT>
+PointSource pointSource(const pcl::PointCloud<PointT>& cloud,
+                        const pcl::Indices* indices = nullptr)
+{
+  const std::size_t count = indices ? indices->size() : cloud.size();
+  if (count == 0)
+    return {};
+  const PointT& p = cloud.points.front();
+  static_assert(sizeof(PointT) % sizeof(float) == 0, "no array of floats");
+  return {{&p.x, &p.y, &p.z},
+          sizeof(PointT) / sizeof(float),
+          indices ? indices->data() : nullptr,
+          count};
+}
 
 /// @brief An index of the finite points of @p cloud that @p indices name, and of the
 /// finite points of @p fill (bridges over gaps, say).
 template <typename PointT, typename FillT>
 PointIndex makePointIndex(const pcl::PointCloud<PointT>& cloud,
                           const pcl::Indices& indices,
-                          const pcl::PointCloud<FillT>& fill)
+                          const pcl::PointCloud<FillT>& fill,
+                          unsigned threads = 0)
 {
-  std::vector<float> x, y, z;
-  const auto reserve = [&](std::vector<float>& v) {
-    v.reserve(indices.size() + fill.size());
-  };
-  reserve(x), reserve(y), reserve(z);
-  const auto add = [&](const auto& p) {
-    if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z))
-      return;
-    x.push_back(p.x);
-    y.push_back(p.y);
-    z.push_back(p.z);
-  };
-  for (const auto i : indices)
-    add(cloud[i]);
-  for (const auto& p : fill)
-    add(p);
-  return PointIndex(std::move(x), std::move(y), std::move(z));
+  return PointIndex({pointSource(cloud, &indices), pointSource(fill)}, threads);
 }
 
 } // namespace pointmill

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the PointMill authors
+#pragma once
+
+#include <pointmill/common/tool.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace pointmill {
+
+/// A paraboloid of revolution: `height + bend r^2` at radius r.
+struct Paraboloid {
+  double height = 0, bend = 0;
+};
+
+/// Simple surfaces that lie nowhere above a cutter's lower surface, so that the search
+/// can bound what many points would do to the cutter without square roots.
+class CutterUnderside {
+public:
+  explicit CutterUnderside(const Tool& tool);
+
+  /// A paraboloid that comes close to the cutter at radius @p r and is nowhere above
+  /// it.
+  Paraboloid touching(double r) const { return rounded_ ? tangent(r) : chord(r); }
+
+private:
+  // In r^2 the profile is convex, so that its tangent at r is nowhere above it.
+  Paraboloid tangent(double r) const
+  {
+    const double u = std::min(r - flat_, kSteepest * corner_);
+    if (!(u > 0))
+      return {0.0, bend_of_tip_};
+    const double w = std::sqrt(corner_ * corner_ - u * u), at = flat_ + u;
+    const double bend = 0.5 * u / (w * at);
+    return {corner_ - w - bend * at * at, bend};
+  }
+  Paraboloid chord(double r) const;
+  double highestUnder(double bend) const;
+  double knot(int k) const { return std::min(radius_, radius_ * k / kKnots); }
+
+  /// Cuts the rim off, where the cutter is as good as vertical.
+  static constexpr double kSteepest = 0.98;
+  static constexpr int kKnots = 32;
+
+  Tool tool_;
+  double radius_, corner_, flat_, bend_of_tip_;
+  bool rounded_; // a disc of radius flat_, rolled round by corner_, and nothing else
+  // Otherwise: corners of a polyline r, z with no part above the convex profile.
+  int corners_ = 0;
+  std::array<double, 2 * kKnots + 1> r_, z_;
+};
+
+} // namespace pointmill
