@@ -28,7 +28,8 @@ constexpr double kGrowth = 1.3, kGrowthOfGrowth = 1.5;
 /// Median of chi-square over its degrees of freedom (Wilson and Hilferty 1931).
 double medianChiSquare(double freedom)
 {
-  return std::pow(1 - 2 / (9 * freedom), 3);
+  const double root = 1 - 2 / (9 * freedom);
+  return root * root * root;
 }
 
 DataError tooFew()
@@ -126,9 +127,10 @@ double withoutForm(const PointBuckets& buckets,
 {
   const auto variance = [&](std::size_t times) {
     const std::size_t neighbours = times * static_cast<std::size_t>(noise.neighbours);
-    return neighbours > buckets.points().size()
-               ? 0.0 // too few points to tell
-               : std::pow(scatterOf(buckets, samples, neighbours).scatter, 2);
+    if (neighbours > buckets.points().size())
+      return 0.0; // too few points to tell
+    const double scatter = scatterOf(buckets, samples, neighbours).scatter;
+    return scatter * scatter;
   };
   const double once = noise.scatter * noise.scatter, twice = variance(2);
   if (twice <= kGrowth * once)
