@@ -76,11 +76,12 @@ Eigen::Matrix3Xd differentNeighbours(const PointBuckets& buckets,
   for (std::size_t ask = count;; ask *= 2) {
     buckets.nearest(place, ask, near);
     kept.clear();
-    for (const auto& n : near) {
-      const Eigen::Vector3f& p = buckets.points()[n.number];
-      // Equal points are equally far, so they are among the last ones kept.
-      const auto same = [&](const Eigen::Vector3f& k) { return k == p; };
-      if (kept.size() < count && std::none_of(kept.begin(), kept.end(), same))
+    for (std::size_t i = 0; i < near.size() && kept.size() < count; ++i) {
+      const Eigen::Vector3f& p = buckets.points()[near[i].number];
+      bool again = false; // equal points are equally far
+      for (std::size_t k = i; k-- > 0 && near[k].squared == near[i].squared;)
+        again |= buckets.points()[near[k].number] == p;
+      if (!again)
         kept.push_back(p);
     }
     if (kept.size() == count || near.size() < ask || ask > 8 * count)
