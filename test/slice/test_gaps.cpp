@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the PointMill authors
+#include <pointmill/common/error.h>
 #include <pointmill/slice/distance_field.h>
 #include <pointmill/slice/gaps.h>
 
@@ -7,6 +8,7 @@
 
 #include <numeric>
 #include <random>
+#include <string>
 
 using namespace pointmill;
 
@@ -179,4 +181,106 @@ TEST(Gaps, TheBridgeStaysWithinItsRim)
       EXPECT_GE(height[i], 0.0);
       EXPECT_LE(height[i], 5.0);
     }
+}
+
+TEST(Gaps, TheBridgeKeepsToItsOwnRimToTheLastBit)
+{
+  // Level rims of heights that no binary fraction is: the membrane may not be lower by
+  // a bit, nor may one gap's rim bear on another.
+  const CellGrid grid = unitGrid(60, 30);
+  std::vector<unsigned char> gaps(grid.size(), 0);
+  std::vector<double> height(grid.size());
+  for (int r = 0; r < 30; ++r)
+    for (int c = 0; c < 60; ++c) {
+      gaps[grid.index(c, r)] = std::hypot(c % 30 - 15, r - 15) < 11;
+      height[grid.index(c, r)] = gaps[grid.index(c, r)] ? NAN : c < 30 ? 0.1 : 7.7;
+    }
+  bridgeGaps(grid, gaps, height);
+  for (int r = 0; r < 30; ++r)
+    for (int c = 0; c < 60; ++c)
+      EXPECT_EQ(height[grid.index(c, r)], c < 30 ? 0.1 : 7.7);
+}
+
+TEST(Gaps, ABridgeThatIsOpenToTheOutsideKeepsToItsRim)
+{
+  // A bay with a rim on three sides; on the fourth the outline ends and the membrane is
+  // free.
+  const CellGrid grid = unitGrid(30, 20);
+  std::vector<unsigned char> gaps(grid.size(), 0);
+  std::vector<double> height(grid.size());
+  std::mt19937 random(8);
+  for (int r = 0; r < 20; ++r)
+    for (int c = 0; c < 30; ++c) {
+      const bool outside = c >= 25;
+      gaps[grid.index(c, r)] = c > 5 && !outside && r > 4 && r < 15;
+      height[grid.index(c, r)] =
+          gaps[grid.index(c, r)] || outside ? NAN : 3 + double(random() % 1000) / 999;
+    }
+  const auto regions = gapRegions(grid, gaps, height);
+  ASSERT_EQ(regions.size(), 1u);
+  EXPECT_TRUE(regions[0].open);
+  bridgeGaps(grid, gaps, height);
+  for (const auto at : regions[0].cells) {
+    EXPECT_GE(height[at], regions[0].rim_low);
+    EXPECT_LE(height[at], regions[0].rim_high);
+  }
+}
+
+TEST(Gaps, ARegionKnowsItsRimAndItsCells)
+{
+  const CellGrid grid = unitGrid(20, 20);
+  std::vector<unsigned char> gaps(grid.size(), 0);
+  std::vector<double> height(grid.size());
+  for (int r = 0; r < 20; ++r)
+    for (int c = 0; c < 20; ++c) {
+      gaps[grid.index(c, r)] = c >= 8 && c < 12 && r >= 8 && r < 11;
+      height[grid.index(c, r)] = gaps[grid.index(c, r)] ? NAN : 10 + c;
+    }
+  height[grid.index(0, 0)] = -50; // not beside the gap
+  const auto regions = gapRegions(grid, gaps, height);
+  ASSERT_EQ(regions.size(), 1u);
+  EXPECT_EQ(regions[0].rim_low, 17);
+  EXPECT_EQ(regions[0].rim_high, 22);
+  EXPECT_FALSE(regions[0].open);
+  EXPECT_EQ(regions[0].kind, GapKind::NotScanned);
+  EXPECT_EQ(regions[0].cells.size(), 12u);
+  for (const auto at : regions[0].cells)
+    EXPECT_TRUE(gaps[at]);
+}
+
+TEST(Gaps, ABridgeFromNothingIsRefused)
+{
+  const CellGrid grid = unitGrid(5, 5);
+  std::vector<double> height(grid.size(), NAN);
+  EXPECT_THROW(bridgeGaps(grid, std::vector<unsigned char>(25, 1), height), DataError);
+}
+
+TEST(Gaps, ThroughHolesAreNamedByAPlaceInThem)
+{
+  const CellGrid grid = unitGrid(40, 20);
+  std::vector<unsigned char> gaps(grid.size(), 0);
+  for (int r = 5; r < 15; ++r)
+    for (int c = 5; c < 30; ++c)
+      gaps[grid.index(c, r)] = c < 15 || c > 25; // 10 and 4 wide
+  auto regions = gapRegions(grid, gaps, std::vector<double>(grid.size(), 1.0));
+  ASSERT_EQ(regions.size(), 2u);
+  nameThroughHoles(grid, {{26.5, 5.1}}, regions);
+  EXPECT_EQ(regions[0].kind, GapKind::NotScanned);
+  EXPECT_EQ(regions[1].kind, GapKind::ThroughHole);
+  EXPECT_EQ(regions[1].treatment, GapPolicy::Mill);
+
+  // A miss changes nothing and says where the nearest gap is.
+  try {
+    nameThroughHoles(grid, {{10, 10}, {18, 10}}, regions);
+    FAIL();
+  }
+  catch (const ParameterError& e) {
+    EXPECT_NE(std::string(e.what()).find("100 mm2 about X10 Y10, begins 3 mm away"),
+              std::string::npos)
+        << e.what();
+  }
+  EXPECT_EQ(regions[0].kind, GapKind::NotScanned);
+  regions.clear();
+  EXPECT_THROW(nameThroughHoles(grid, {{1, 1}}, regions), ParameterError);
+  EXPECT_THROW(nameThroughHoles(grid, {{NAN, 1}}, regions), ParameterError);
 }

@@ -99,6 +99,46 @@ TEST(OccupancyMap, KeptGapsStandAsHighAsThePart)
   EXPECT_EQ(cells.at(20, 15).z, 9.f);
 }
 
+TEST(OccupancyMap, ANamedHoleIsMilledAndTheOtherGapsAreBridged)
+{
+  Cloud::Ptr cloud(new Cloud);
+  for (double y = 0; y <= 30; y += 0.5)
+    for (double x = 0; x <= 60; x += 0.5)
+      if (std::hypot(x - 15, y - 15) > 5 && std::hypot(x - 40, y - 15) > 7)
+        cloud->push_back(pcl::PointXYZ(float(x), float(y), 2.1f + 0.1f * float(x)));
+  auto map = mapOf(cloud);
+  map.setThroughHoles({{14, 16}});
+  CellCloud cells;
+  map.filter(cells);
+  EXPECT_EQ(cells.at(15, 15).getState(), CellState::Empty);
+  EXPECT_TRUE(std::isnan(cells.at(15, 15).z));
+  EXPECT_EQ(cells.at(40, 15).getState(), CellState::Gap);
+  ASSERT_EQ(map.getGaps().size(), 2u);
+  const GapRegion &gap = map.getGaps()[0], &hole = map.getGaps()[1];
+  EXPECT_EQ(gap.kind, GapKind::NotScanned);
+  EXPECT_EQ(gap.treatment, GapPolicy::Bridge);
+  EXPECT_EQ(hole.kind, GapKind::ThroughHole);
+  EXPECT_EQ(hole.treatment, GapPolicy::Mill);
+  EXPECT_NEAR(hole.area, M_PI * 25, 20);
+  EXPECT_NEAR(hole.rim_low, 3.1, 0.15);
+  EXPECT_NEAR(hole.rim_high, 4.1, 0.15);
+  EXPECT_FALSE(hole.open);
+  EXPECT_EQ(map.getReport().get("gaps"), 1);
+  EXPECT_EQ(map.getReport().get("gap_area_mm2"), gap.area);
+  EXPECT_EQ(map.getReport().get("through_holes"), 1);
+  EXPECT_EQ(map.getReport().get("through_hole_area_mm2"), hole.area);
+  for (const auto at : gap.cells) {
+    EXPECT_GE(cells[at].z, float(gap.rim_low));
+    EXPECT_LE(cells[at].z, float(gap.rim_high));
+  }
+
+  const auto before = cells;
+  map.setThroughHoles({{27, 15}}); // between the two
+  EXPECT_THROW(map.filter(cells), ParameterError);
+  EXPECT_EQ(cells.size(), before.size());
+  EXPECT_EQ(map.getGaps().size(), 2u);
+}
+
 TEST(OccupancyMap, ReadsOnlyItsIndices)
 {
   auto cloud = plateWithHole();

@@ -28,7 +28,8 @@ constexpr double kGrowth = 1.3, kGrowthOfGrowth = 1.5;
 /// Median of chi-square over its degrees of freedom (Wilson and Hilferty 1931).
 double medianChiSquare(double freedom)
 {
-  return std::pow(1 - 2 / (9 * freedom), 3);
+  const double root = 1 - 2 / (9 * freedom);
+  return root * root * root;
 }
 
 DataError tooFew()
@@ -75,11 +76,12 @@ Eigen::Matrix3Xd differentNeighbours(const PointBuckets& buckets,
   for (std::size_t ask = count;; ask *= 2) {
     buckets.nearest(place, ask, near);
     kept.clear();
-    for (const auto& n : near) {
-      const Eigen::Vector3f& p = buckets.points()[n.number];
-      // Equal points are equally far, so they are among the last ones kept.
-      const auto same = [&](const Eigen::Vector3f& k) { return k == p; };
-      if (kept.size() < count && std::none_of(kept.begin(), kept.end(), same))
+    for (std::size_t i = 0; i < near.size() && kept.size() < count; ++i) {
+      const Eigen::Vector3f& p = buckets.points()[near[i].number];
+      bool again = false; // equal points are equally far
+      for (std::size_t k = i; k-- > 0 && near[k].squared == near[i].squared;)
+        again |= buckets.points()[near[k].number] == p;
+      if (!again)
         kept.push_back(p);
     }
     if (kept.size() == count || near.size() < ask || ask > 8 * count)
@@ -126,9 +128,10 @@ double withoutForm(const PointBuckets& buckets,
 {
   const auto variance = [&](std::size_t times) {
     const std::size_t neighbours = times * static_cast<std::size_t>(noise.neighbours);
-    return neighbours > buckets.points().size()
-               ? 0.0 // too few points to tell
-               : std::pow(scatterOf(buckets, samples, neighbours).scatter, 2);
+    if (neighbours > buckets.points().size())
+      return 0.0; // too few points to tell
+    const double scatter = scatterOf(buckets, samples, neighbours).scatter;
+    return scatter * scatter;
   };
   const double once = noise.scatter * noise.scatter, twice = variance(2);
   if (twice <= kGrowth * once)

@@ -36,10 +36,16 @@ double uniform(std::mt19937& random)
 double viewAllRound(const PointBuckets& buckets, const Eigen::Vector3f& from)
 {
   const double most = kMostViews * buckets.grid().cell;
-  std::array<double, 8> nearest;
+  std::array<double, 9> nearest; // three by three, as on a compass
   nearest.fill(most * most);
+  nearest[4] = 0; // the point itself
   const auto farthest = [&] {
     return *std::max_element(nearest.begin(), nearest.end());
+  };
+  // -1, 0 or 1: the part of a vector is 0 within 22.5 degrees of the other axis.
+  const double eighth = std::sqrt(2.0) - 1;
+  const auto side = [&](double part, double other) {
+    return std::abs(part) <= eighth * std::abs(other) ? 0 : part < 0 ? -1 : 1;
   };
   buckets.walk(
       from.x(),
@@ -47,10 +53,8 @@ double viewAllRound(const PointBuckets& buckets, const Eigen::Vector3f& from)
       [&](double reached) { return reached * reached < farthest(); },
       [&](const Eigen::Vector3f& p, std::uint32_t) {
         const double dx = p.x() - from.x(), dy = p.y() - from.y();
-        if (dx == 0 && dy == 0)
-          return;
-        const double eighth = (std::atan2(dy, dx) + M_PI / 8) / (M_PI / 4);
-        double& d = nearest[static_cast<std::size_t>(std::floor(eighth) + 8) % 8];
+        double& d =
+            nearest[static_cast<std::size_t>(4 + side(dx, dy) + 3 * side(dy, dx))];
         d = std::min(d, dx * dx + dy * dy);
       });
   return std::sqrt(farthest());

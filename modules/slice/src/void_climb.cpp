@@ -19,7 +19,6 @@ constexpr double kEqual = 1e-9;   // of the radius
 /// grids only, where the others tell the same.
 class Border {
 public:
-  void clear() { count_ = 0; }
   void add(const Vector2d& p)
   {
     if (count_ < points_.size())
@@ -27,31 +26,41 @@ public:
   }
   const Vector2d& front() const { return points_.front(); }
 
-  /// Turns to the middle of the widest gap seen from `at` and keeps the two points
-  /// beside it. False where no gap is half a circle wide.
-  bool leave(const Vector2d& at, Vector2d& direction)
+  /// Turns to the middle of the gap between them that is half a circle or more, seen
+  /// from `v.at`, and keeps the two points beside it. False where there is none.
+  bool leave(const Void& v, Vector2d& direction)
   {
-    std::array<std::pair<double, std::size_t>, 10> seen;
-    for (std::size_t i = 0; i < count_; ++i)
-      seen[i] = {std::atan2(points_[i].y() - at.y(), points_[i].x() - at.x()), i};
-    std::sort(seen.begin(), seen.begin() + static_cast<std::ptrdiff_t>(count_));
-    double widest = 0;
-    std::size_t before = 0;
+    // All others lie to the right of the one before such a gap, and to the left of the
+    // one after it. No angles: their functions round differently on other machines.
+    const auto turn = [&](std::size_t i, std::size_t k) {
+      const Vector2d a = points_[i] - v.at, b = points_[k] - v.at;
+      return a.x() * b.y() - a.y() * b.x();
+    };
+    const double equal = kEqual * v.radius * v.radius;
+    std::size_t before = count_, after = count_;
     for (std::size_t i = 0; i < count_; ++i) {
-      const double next = i + 1 < count_ ? seen[i + 1].first : seen[0].first + 2 * M_PI;
-      if (next - seen[i].first > widest) {
-        widest = next - seen[i].first;
-        before = i;
+      bool left = true, right = true;
+      for (std::size_t k = 0; k < count_; ++k) {
+        left &= turn(i, k) >= -equal;
+        right &= turn(i, k) <= equal;
       }
+      if (right && before == count_)
+        before = i;
+      else if (left && after == count_)
+        after = i;
     }
-    if (widest < M_PI - kEqual)
+    if (before == count_)
       return false;
-    const double middle = seen[before].first + widest / 2;
-    direction = {std::cos(middle), std::sin(middle)};
-    const Vector2d first = points_[seen[before].second];
-    const Vector2d second = points_[seen[(before + 1) % count_].second];
-    const bool alone = count_ == 1;
-    clear();
+    const Vector2d first = points_[before];
+    const bool alone = after == count_;
+    const Vector2d second = alone ? first : points_[after];
+    if (!alone)
+      direction = Vector2d(second.y() - first.y(), first.x() - second.x()).normalized();
+    else if (v.radius > 0)
+      direction = (v.at - first) / v.radius;
+    else
+      direction = Vector2d::UnitX();
+    count_ = 0;
     add(first);
     if (!alone)
       add(second);
@@ -125,7 +134,7 @@ Void climbVoid(const PointBuckets& buckets,
   const CellGrid& grid = buckets.grid();
   const double most = grid.cell * (grid.columns + grid.rows);
   Vector2d direction;
-  for (int k = 0; k < kMostMeetings && border.leave(v.at, direction); ++k) {
+  for (int k = 0; k < kMostMeetings && border.leave(v, direction); ++k) {
     const double way = nextMeeting(buckets, v, direction, most, border);
     const Vector2d at = v.at + way * direction;
     if (way >= most || !allowed(at))

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the PointMill authors
+#pragma once
+
+#include "canvas.h"
+#include "grid.h"
+#include "text.h"
+
+#include <functional>
+#include <string>
+
+namespace pointmill::visual {
+
+/// @brief A picture of a map's cells from above (X right, Y up), each a square of one
+/// colour, with a title over and a scale bar under them.
+class CellSheet {
+public:
+  using ColourOf = std::function<Rgb(const PointCell&)>;
+
+  CellSheet(const Grid& grid, const std::string& title, const ColourOf& colour_of);
+
+  Canvas& canvas() { return canvas_; }
+  /// @brief Of the line under the cells, for a legend [px].
+  int footMiddle() const { return canvas_.height() - kFoot / 2; }
+  int right() const { return canvas_.width() - kMargin; }
+  static TextStyle text() { return {19, false, kInk}; }
+
+private:
+  static constexpr int kMargin = 36, kHead = 84, kFoot = 72; // px
+
+  Canvas canvas_;
+};
+
+} // namespace pointmill::visual
