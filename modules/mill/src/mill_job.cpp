@@ -322,7 +322,8 @@ void MillJob::planFinishing(const ToolJob& job,
   planned.colour = steep_too ? 4 : 2;
   const auto start = std::chrono::steady_clock::now();
 
-  const CLCloud passes = rasterPasses(job, scallop, steep_too, planned);
+  const CLCloud passes =
+      rasterPasses(job, scallop, steep_too && options_.steep > 0, planned);
   link(planned, passes);
   planned.seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
