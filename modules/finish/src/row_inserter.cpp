@@ -53,8 +53,9 @@ void RowInserter::insert(const Row& low,
 {
   const Row middle = rows_.drop(0.5 * (low.v + high.v), stretch);
   const double step = rows_.stations().step;
-  const auto heights = scallops(
-      cusps(low, middle, high, step), raster_.tool.corner_radius, step, noise_);
+  const double radius = raster_.tool.corner_radius;
+  const auto found = cusps(low, middle, high, step);
+  const auto heights = scallops(found, radius, step, noise_);
   const auto exceeds = [&](std::size_t i) {
     return heights[i - stretch.first] > kExceeds * raster_.scallop;
   };
@@ -74,7 +75,7 @@ void RowInserter::insert(const Row& low,
     std::vector<char> wanted;
     for (std::size_t i = stretch.first; i <= stretch.last; ++i)
       wanted.push_back((low[i].touches || high[i].touches || middle[i].touches) &&
-                       exceeds(i));
+                       exceeds(i) && !found[i - stretch.first].isCliff(radius));
     refined = parts(wanted, stretch);
   }
   std::size_t next = stretch.first;

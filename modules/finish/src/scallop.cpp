@@ -55,8 +55,10 @@ Cusp cuspAt(
   const Vector3d across = (b - a) - (b - a).dot(feed) * feed;
   const double chord = across.norm();
   const Vector3d up = feed.cross(across / chord);
+  const double farther = std::max((here.at - a).norm(), (here.at - b).norm());
   return {chord,
           (here.at - 0.5 * (a + b)).dot(up),
+          farther / chord,
           low[i].touches && middle[i].touches && high[i].touches};
 }
 

@@ -25,7 +25,12 @@ namespace pointmill {
 struct Cusp {
   double chord;   ///< L [mm]
   double sagitta; ///< s [mm]
+  double lean;    ///< L's share between c and the farther of c1, c2; 0.5 .. 1
   bool certain;   ///< all three rows touch the part
+
+  /// The ground between the rows is no slope that rows nearer to each other could
+  /// share: it breaks off.
+  bool isCliff(double r) const { return chord >= 2 * r && lean > 0.75; }
 };
 
 /// The cusps between @p low and @p high at the stations of @p middle, which lies
