@@ -157,6 +157,14 @@ CLI::App* declareMill(CLI::App& app, MillCommand& command)
          "left standing, or milled like the outside")
       ->default_str("bridge")
       ->group("Scan");
+  mill->add_option("--through-hole",
+                   command.through_holes,
+                   "a place of the part frame in a gap that is a hole through the part: "
+                   "milled, whatever --gaps says; may be repeated")
+      ->type_name("X Y")
+      ->type_size(2)
+      ->expected(-1)
+      ->group("Scan");
   mill->add_option("--seed", o.seed, "of all random sampling")
       ->capture_default_str()
       ->group("Scan");
@@ -299,6 +307,8 @@ int runMill(MillCommand& command)
   MillOptions& o = command.options;
   o.square = !command.no_square;
   o.remove_strays = !command.keep_strays;
+  for (const auto& [x, y] : command.through_holes)
+    o.through_holes.emplace_back(x, y);
   if (command.polygon.size() % 2 != 0)
     throw ParameterError("--polygon: X and Y in turn, not an odd number of numbers");
   for (std::size_t i = 0; i + 1 < command.polygon.size(); i += 2)

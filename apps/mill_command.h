@@ -10,6 +10,7 @@
 
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 /// @brief What `pointmill mill` was told on its command line.
@@ -18,6 +19,7 @@ struct MillCommand {
   ToolOptions rough_tool{"rough"}, semi_tool{"semi"}, finish_tool{"finish"};
   std::string scan, directory;
   std::vector<double> polygon; ///< X and Y in turn
+  std::vector<std::pair<double, double>> through_holes;
   bool quiet = false, no_square = false, keep_strays = false, no_coolant = false;
 };
 

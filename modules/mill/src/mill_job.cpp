@@ -32,15 +32,6 @@ double MillJob::gapArea() const
   return area;
 }
 
-double MillJob::sinkBetweenPoints(const Tool& tool) const
-{
-  // In the middle of a square of four points, half a diagonal from each.
-  const double away = scan_.spacing.p99 * std::sqrt(0.5);
-  if (tool.corner_radius <= 0 || away > tool.radius())
-    return away; // sideways, of an edge that touches a slope
-  return tool.profile(away);
-}
-
 double MillJob::minutes() const
 {
   double sum = 0;
@@ -103,7 +94,11 @@ void MillJob::verify()
   std::istringstream text(program_);
   const Program read_back = readProgram(text);
   ProgramVerifier verifier;
-  verifier.setPart(clean_points_); // TEMP
+  verifier.setPart(points_);
+  if (clean_points_ != points_) {
+    verifier.setModel(clean_points_);
+    verifier.setNoiseAllowance(figures_.farthest);
+  }
   verifier.setStock(stock_);
   verifier.setTools({options_.rough.tool, options_.semi.tool, options_.finish.tool});
   // What the control may add by blending corners cannot be seen in the text.

@@ -3,6 +3,7 @@
 #include "report.h"
 
 #include <pointmill/mill/summary.h>
+#include <pointmill/slice/sink.h>
 
 #include <pointmill/common/version.h>
 
@@ -62,7 +63,11 @@ Json scanJson(const MillJob& job, const std::string& name)
           {"stray_points_removed", scan.strays},
           {"points", job.part().size()},
           {"mm_per_unit", scan.scale},
-          {"spacing_mm", {{"median", scan.spacing.median}, {"p99", scan.spacing.p99}}},
+          {"spacing_mm",
+           {{"median", scan.spacing.median},
+            {"p99", scan.spacing.p99},
+            {"worst", scan.spacing.worst},
+            {"worst_at", {scan.spacing.worst_at.x(), scan.spacing.worst_at.y()}}}},
           {"noise_mm", number(job.surfaceFigures().noise)}};
 }
 
@@ -70,6 +75,7 @@ Json surfaceJson(const MillJob& job)
 {
   const SurfaceFigures& surface = job.surfaceFigures();
   const MillOptions& o = job.options();
+  const double spacing = job.scanFigures().spacing.p99;
   Json json = {{"model", surface.smooth ? "smooth" : "points"},
                {"noise_left_mm", surface.noise_left},
                {"points_moved_at_most_mm", surface.farthest}};
@@ -77,8 +83,17 @@ Json surfaceJson(const MillJob& job)
     json["smoothing"][name] = number(value);
   for (const auto* t : {&o.rough.tool, &o.semi.tool, &o.finish.tool})
     json["sink_between_bare_points_mm"].push_back(
-        {{"tool", t->number}, {"mm", number(job.sinkBetweenPoints(*t))}});
+        {{"tool", t->number},
+         {"level", number(sinkBetweenPoints(*t, spacing))},
+         {"at_45_deg", number(sinkBetweenPoints(*t, spacing, 45))}});
   return json;
+}
+
+const char* nameOf(GapPolicy policy)
+{
+  return policy == GapPolicy::Bridge ? "bridge"
+         : policy == GapPolicy::Keep ? "keep"
+                                     : "mill";
 }
 
 Json gapsJson(const MillJob& job)
@@ -86,16 +101,16 @@ Json gapsJson(const MillJob& job)
   Json list = Json::array();
   for (const auto& gap : job.gaps()) {
     if (list.size() < 100) // the largest come first
-      list.push_back({{"area_mm2", gap.area},
+      list.push_back({{"kind", gap.kind == GapKind::ThroughHole ? "through_hole" : "not_scanned"},
+                      {"treatment", nameOf(gap.treatment)},
+                      {"open", gap.open},
+                      {"rim_z", {number(gap.rim_low), number(gap.rim_high)}},
+                      {"area_mm2", gap.area},
                       {"centre", {gap.centre.x(), gap.centre.y()}},
                       {"min", {gap.min.x(), gap.min.y()}},
                       {"max", {gap.max.x(), gap.max.y()}}});
   }
-  const GapPolicy policy = job.options().gaps;
-  return {{"policy",
-           policy == GapPolicy::Bridge ? "bridge"
-           : policy == GapPolicy::Keep ? "keep"
-                                       : "mill"},
+  return {{"policy", nameOf(job.options().gaps)},
           {"count", job.gaps().size()},
           {"area_mm2", job.gapArea()},
           {"bridged_between_points_mm2", job.bridgedArea()},
@@ -154,6 +169,10 @@ Json verificationJson(const Verification& v, double tolerance)
           {"gouge_at", vector(v.gouge_at)},
           {"gouge_line", v.gouge_line},
           {"gouged_points", v.gouged_points},
+          {"scan_gouge_max_mm", v.raw_gouge},
+          {"scan_gouge_line", v.raw_gouge_line},
+          {"scan_gouged_points", v.raw_gouged_points},
+          {"scan_deviation_mm", quantiles(v.raw_deviation)},
           {"residual_mm", quantiles(v.residual)},
           {"deviation_mm", quantiles(v.deviation)},
           {"rapids_in_stock", v.rapids_in_stock},

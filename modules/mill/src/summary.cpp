@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the PointMill authors
 #include <pointmill/mill/summary.h>
+#include <pointmill/slice/sink.h>
 
 #include <algorithm>
 #include <cmath>
@@ -35,7 +36,8 @@ std::string surfaceLine(const MillJob& job)
             spacing.median,
             spacing.p99,
             surface.noise);
-  const double sink = job.sinkBetweenPoints(job.options().finish.tool);
+  const double sink = sinkBetweenPoints(job.options().finish.tool,
+                                        job.scanFigures().spacing.p99);
   if (!surface.smooth)
     return text + print("surface    the bare points; %s may sink %.4f mm between "
                         "them\n",
@@ -64,7 +66,8 @@ std::vector<std::string> warningsOf(const MillJob& job)
     lines.push_back(print("the part's surroundings are cut down to the bottom of the "
                           "stock, Z%.2f: --floor or --stock-bottom leave it a base",
                           job.floor()));
-  const double sink = job.sinkBetweenPoints(job.options().finish.tool);
+  const double sink = sinkBetweenPoints(job.options().finish.tool,
+                                        job.scanFigures().spacing.p99);
   if (!job.surfaceFigures().smooth && sink > job.options().tolerance)
     lines.push_back(
         print("the scan is sparse: between its points the last tool may sink "

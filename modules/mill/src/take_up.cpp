@@ -5,7 +5,9 @@
 #include <pointmill/io/raw_scan.h>
 #include <pointmill/io/scan.h>
 #include <pointmill/mill/mill_job.h>
-#include <pointmill/surface/noise.h>
+#include <pointmill/slice/noise.h>
+#include <pointmill/slice/sink.h>
+#include <pointmill/slice/spacing_map.h>
 #include <pointmill/surface/point_smoother.h>
 
 #include <algorithm>
@@ -42,6 +44,15 @@ template <typename PointT>
 PointIndex indexOf(const pcl::PointCloud<PointT>& cloud, const CellCloud& fill = {})
 {
   return makePointIndex(cloud, all(cloud), fill);
+}
+
+std::string at(const Eigen::Vector2d& place)
+{
+  std::ostringstream text;
+  text.imbue(std::locale::classic());
+  text.precision(4);
+  text << "X" << place.x() << " Y" << place.y();
+  return text.str();
 }
 
 std::string length(double mm)
@@ -127,9 +138,9 @@ void MillJob::makeSurface()
   timed("surface", 0.08, [&] {
     points_ = std::make_shared<PointIndex>(indexOf(*part_));
     figures_ = SurfaceFigures();
-    figures_.noise = measureNoise(*points_, options_.seed).deviation;
+    figures_.noise = measureNoise(*part_, options_.seed).deviation;
     const Tool& last = options_.finish.tool;
-    const double sink = sinkBetweenPoints(last);
+    const double sink = sinkBetweenPoints(last, scan_.spacing.p99);
     const bool noisy = figures_.noise > kLittle * options_.tolerance;
     figures_.smooth = options_.surface == SurfaceChoice::Smooth ||
                       (options_.surface == SurfaceChoice::Auto &&
@@ -140,7 +151,8 @@ void MillJob::makeSurface()
                       " may sink " + length(sink) +
                       " below the surface, and --tolerance is " +
                       length(options_.tolerance) +
-                      "; --surface smooth closes the surface between the points, a "
+                      " (the widest place is at " + at(scan_.spacing.worst_at) +
+                      "); --surface smooth closes the surface between the points, a "
                       "denser scan or a larger tool sinks less, --accept-sparse goes "
                       "on as it is");
     clean_ = part_;
@@ -181,6 +193,7 @@ void MillJob::makeMap()
     occupancy.setCellSize(cell);
     occupancy.setGapReach(std::max(1.5 * cell, 2.5 * void_between));
     occupancy.setGapPolicy(options_.gaps);
+    occupancy.setThroughHoles(options_.through_holes);
     occupancy.setInputCloud(clean_);
     map_.reset(new CellCloud);
     occupancy.filter(*map_);

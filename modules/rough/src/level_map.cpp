@@ -122,13 +122,16 @@ void LevelMap::dropOnPoints(const PointIndex& part, const Tool& tool, double all
   const Tool grown = tool.grown(allowance + wider);
   lowest_.assign(grid_.size(), kNothing);
   parallelFor(static_cast<std::size_t>(grid_.rows), threads_, [&](std::size_t row) {
-    for (int c = 0; c < grid_.columns; ++c) {
-      const Contact contact =
-          part.drop(grown, grid_.x(c), grid_.y(static_cast<int>(row)));
-      if (contact.touches())
-        lowest_[row * grid_.columns + c] =
-            static_cast<float>(contact.tip + allowance + wider);
-    }
+    std::vector<Contact> contacts(static_cast<std::size_t>(grid_.columns));
+    part.dropRow(grown,
+                 {grid_.x(0), grid_.y(static_cast<int>(row))},
+                 {grid_.cell, 0},
+                 contacts.size(),
+                 contacts.data());
+    for (std::size_t c = 0; c < contacts.size(); ++c)
+      if (contacts[c].touches())
+        lowest_[row * contacts.size() + c] =
+            static_cast<float>(contacts[c].tip + allowance + wider);
   });
 }
 

@@ -4,7 +4,7 @@
 #include <pointmill/common/parameters.h>
 #include <pointmill/surface/stock_field.h>
 #include <pointmill/surface/sweep.h>
-#include <pointmill/surface/sweep_bound.h>
+#include <pointmill/surface/sweep_range.h>
 
 #include <algorithm>
 #include <cmath>
@@ -104,7 +104,7 @@ Cut StockField::cut(const Tool& tool,
       if (tops[run] <= lowest)
         continue;
       const double middle = 0.5 * (x(first) + x(last));
-      if (sweptHeightBound(cutter, a, b, middle, cy, middle - x(first)) >= tops[run])
+      if (sweptHeightRange(cutter, a, b, middle, cy, middle - x(first)).low >= tops[run])
         continue;
       for (int column = std::max(c0, first); column <= std::min(c1, last); ++column)
         cutCell(line[column], x(column), cy);

@@ -22,8 +22,16 @@ public:
   {
     heap_.push_back({bound, static_cast<std::uint32_t>(id)});
   }
-  /// @brief To be called once, between the last add() and the first take().
-  void order() { std::make_heap(heap_.begin(), heap_.end(), later); }
+  /// @brief Forgets those above @p limit and puts the others in order; then they can be
+  /// taken.
+  void order(double limit)
+  {
+    heap_.erase(std::remove_if(heap_.begin(),
+                               heap_.end(),
+                               [&](const Candidate& c) { return c.bound > limit; }),
+                heap_.end());
+    std::make_heap(heap_.begin(), heap_.end(), later);
+  }
 
   bool empty() const { return heap_.empty(); }
   const Candidate& best() const { return heap_.front(); }

@@ -119,6 +119,7 @@ private:
     const double r = tool_.radius(), reach = r + tile.radius;
     const int c0 = grid_.columnOf(tile.x - reach), c1 = grid_.columnOf(tile.x + reach);
     const int r0 = grid_.rowOf(tile.y - reach), r1 = grid_.rowOf(tile.y + reach);
+    double roof = kInfinity; // the tool at one node is over no point higher than that
     for (int row = r0; row <= r1; ++row)
       for (int column = c0; column <= c1; ++column) {
         const double dx = grid_.x(column) - tile.x, dy = grid_.y(row) - tile.y;
@@ -126,10 +127,11 @@ private:
         if (away > r)
           continue;
         const std::size_t node = grid_.index(column, row);
-        candidates_.add(grid_.tip(node) + tool_.profile(std::max(0.0, away)) - 1e-9,
-                        node);
+        const double tip = grid_.tip(node);
+        candidates_.add(tip + tool_.profile(std::max(0.0, away)) - 1e-9, node);
+        roof = std::min(roof, tip + tool_.profile(away + 2 * tile.radius + 2e-9));
       }
-    candidates_.order();
+    candidates_.order(roof);
   }
 
   const RestGrid& grid_;

@@ -6,7 +6,7 @@
 
 #include <pointmill/common/parallel.h>
 #include <pointmill/surface/sweep.h>
-#include <pointmill/surface/sweep_bound.h>
+#include <pointmill/surface/sweep_range.h>
 
 #include <algorithm>
 #include <cmath>
@@ -18,7 +18,9 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// Tiles of this part of the thinnest tool's radius: their bounds are tight, and they
 /// still hold points enough to be worth a bound for each move.
-constexpr double kTilesPerRadius = 4;
+constexpr double kTilesPerRadius = 3;
+/// Moves are dealt to blocks of as many tiles each way.
+constexpr int kBlock = 2;
 
 /// The deepest that a point gets inside a tool; of equals the first in the program.
 struct Deepest {
@@ -45,24 +47,31 @@ public:
   /// lowest, so that most others need not be looked at.
   void sweep(const Tile& tile, const std::vector<std::uint32_t>& near)
   {
+    height_.assign(tile.points.size(), std::numeric_limits<float>::infinity());
+    gouged_.assign(tile.points.size(), 0);
+    double limit = kInfinity;
     candidates_.clear();
     for (const auto k : near) {
       const SweptMove& m = moves_[k];
-      const double bound =
-          sweptHeightBound(*m.tool, m.a, m.b, tile.x, tile.y, tile.radius);
-      if (bound < kInfinity)
-        candidates_.add(bound, k);
+      const HeightRange h =
+          sweptHeightRange(*m.tool, m.a, m.b, tile.x, tile.y, tile.radius);
+      if (h.low == kInfinity)
+        continue;
+      candidates_.add(h.low, k);
+      limit = std::min(limit, h.high);
     }
-    candidates_.order();
-    height_.assign(tile.points.size(), std::numeric_limits<float>::infinity());
-    gouged_.assign(tile.points.size(), 0);
+    candidates_.order(std::max(limit, tile.top - shallow()));
     double roof = kInfinity; // no point's height is above it
     while (!candidates_.empty() && (candidates_.best().bound < roof ||
                                     tile.top - candidates_.best().bound >= shallow())) {
       const auto [bound, k] = candidates_.take();
-      for (std::size_t i = 0; i < tile.points.size(); ++i)
-        if (bound < height_[i] || tile.points[i].z - bound >= shallow())
-          meet(tile.points[i], i, k);
+      const SweptMove& m = moves_[k];
+      for (std::size_t i = 0; i < tile.points.size(); ++i) {
+        const auto& p = tile.points[i];
+        if (matters(bound, i, p) &&
+            matters(sweptHeightRange(*m.tool, m.a, m.b, p.x, p.y, 0.0).low, i, p))
+          meet(p, i, k);
+      }
       roof = *std::max_element(height_.begin(), height_.end());
     }
     count_ += static_cast<std::size_t>(std::count(gouged_.begin(), gouged_.end(), 1));
@@ -77,6 +86,12 @@ public:
 private:
   /// Points less deep inside a tool than this change nothing.
   double shallow() const { return std::min(tolerance_, deepest_.depth); }
+
+  /// Whether a tool that comes as low as `h` over a point changes anything.
+  bool matters(double h, std::size_t i, const Tile::Point& p) const
+  {
+    return h < height_[i] || p.z - h >= shallow();
+  }
 
   void meet(const Tile::Point& p, std::size_t i, std::size_t k)
   {
@@ -132,12 +147,9 @@ Gouges sweepPoints(const PointIndex& part,
   for (const auto& m : moves)
     thinnest = std::min(thinnest, m.tool->radius());
   const Tiles tiles(part, thinnest / kTilesPerRadius);
-  // Moves are dealt to square blocks of tiles about as wide as the tool.
-  const int block =
-      static_cast<int>(std::clamp(thinnest / tiles.edge(), 1.0, kTilesPerRadius));
-  const double edge = block * tiles.edge();
-  const int columns = (tiles.columns() + block - 1) / block;
-  const Bands bands(moves, part.min().y(), edge, (tiles.rows() + block - 1) / block);
+  const double edge = kBlock * tiles.edge();
+  const int columns = (tiles.columns() + kBlock - 1) / kBlock;
+  const Bands bands(moves, part.min().y(), edge, (tiles.rows() + kBlock - 1) / kBlock);
   struct Outcome {
     Deepest deepest;
     std::size_t gouged = 0;
@@ -159,13 +171,13 @@ Gouges sweepPoints(const PointIndex& part,
     }
     TileSweep sweep(moves, tolerance);
     Tile tile;
-    const int row0 = static_cast<int>(band) * block;
-    for (int row = row0; row < std::min(tiles.rows(), row0 + block); ++row)
+    const int row0 = static_cast<int>(band) * kBlock;
+    for (int row = row0; row < std::min(tiles.rows(), row0 + kBlock); ++row)
       for (int column = 0; column < tiles.columns(); ++column) {
         tiles.read(column, row, tile);
         if (tile.points.empty())
           continue;
-        sweep.sweep(tile, near[static_cast<std::size_t>(column / block)]);
+        sweep.sweep(tile, near[static_cast<std::size_t>(column / kBlock)]);
         for (std::size_t i = 0; i < tile.points.size(); ++i)
           height[tile.points[i].index] = sweep.heights()[i];
       }

@@ -6,10 +6,24 @@
 #include <cmath>
 
 namespace pointmill {
+namespace {
 
-Tiles::Tiles(const PointIndex& points, double edge)
-    : points_(points),
-      cells_(static_cast<int>(std::clamp(edge / points.cellSize(), 1.0, 1024.0))),
+/// As many points are worth a tile of their own.
+constexpr double kMostPoints = 48;
+
+int cellsAlong(const PointIndex& points, double widest)
+{
+  const double in_cell =
+      static_cast<double>(points.size()) / points.columns() / points.rows();
+  const double full = std::ceil(std::sqrt(kMostPoints / in_cell));
+  return static_cast<int>(std::clamp(
+      std::ceil(widest / points.cellSize()), 1.0, std::clamp(full, 1.0, 1024.0)));
+}
+
+} // namespace
+
+Tiles::Tiles(const PointIndex& points, double widest)
+    : points_(points), cells_(cellsAlong(points, widest)),
       columns_((points.columns() + cells_ - 1) / cells_),
       rows_((points.rows() + cells_ - 1) / cells_)
 {

@@ -23,8 +23,9 @@ struct Tile {
 /// @brief Square tiles over the cells of an index: each point lies in one of them.
 class Tiles {
 public:
-  /// @param edge of a tile [mm], at least; a tile is one cell where these are larger
-  Tiles(const PointIndex& points, double edge);
+  /// @param widest edge of a tile [mm], less where the points are dense; a tile is one
+  /// cell where these are wider
+  Tiles(const PointIndex& points, double widest);
 
   int columns() const { return columns_; }
   int rows() const { return rows_; }

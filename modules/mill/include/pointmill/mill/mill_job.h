@@ -95,10 +95,6 @@ public:
   double gapArea() const;
   /// @brief Area inside the outline that lies between points and was bridged [mm2].
   double bridgedArea() const { return bridged_area_; }
-  /// @brief How far @p tool may sink between bare points at the 99 % spacing [mm]: a
-  /// ball or a bull nose along the normal of a flat or slope, a flat end mill's rim on
-  /// whatever slope.
-  double sinkBetweenPoints(const Tool& tool) const;
   /// @brief What the one who sets up must know, a line each.
   std::vector<std::string> setUp() const;
 

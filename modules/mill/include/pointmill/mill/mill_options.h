@@ -47,6 +47,8 @@ struct MillOptions {
   DatumZ datum_z = DatumZ::Top;
   bool remove_strays = true;
   GapPolicy gaps = GapPolicy::Bridge;
+  /// Places of the part frame [mm], each in a gap that is a hole through the part.
+  std::vector<Eigen::Vector2d> through_holes;
   std::uint32_t seed = 1;
 
   // accuracy
