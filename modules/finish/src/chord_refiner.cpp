@@ -79,41 +79,49 @@ bool ChordRefiner::holds(const Vector3d& a, const Vector3d& b) const
   return !cutsIn(a, b) && followsCurve(a, b);
 }
 
-void ChordRefiner::leap(const Vector3d& a,
-                        const Vector3d& b,
-                        std::vector<Vector3d>& path)
+Vector3d ChordRefiner::normalAt(double x, double y, const Contact& contact) const
 {
+  return contactNormal(grown_, x, y, contact);
+}
+
+void ChordRefiner::leap(const Vector3d& a,
+                        const CurvePoint& b,
+                        std::vector<CurvePoint>& path)
+{
+  const Vector3d& to = b.tip;
   const double clear =
-      surface_.points().dropAlong(grown_, a.x(), a.y(), b.x(), b.y()) + allowance_;
-  const double z = std::max({a.z(), b.z(), clear});
+      surface_.points().dropAlong(grown_, a.x(), a.y(), to.x(), to.y()) + allowance_;
+  const double z = std::max({a.z(), to.z(), clear});
   if (z > a.z())
-    path.emplace_back(a.x(), a.y(), z);
-  path.emplace_back(b.x(), b.y(), z);
-  if (z > b.z())
+    path.push_back({{a.x(), a.y(), z}, normalAt(a.x(), a.y(), rest(a.x(), a.y()))});
+  path.push_back({{to.x(), to.y(), z}, b.normal});
+  if (z > to.z())
     path.push_back(b);
   ++leaps_;
 }
 
 void ChordRefiner::refine(const Vector3d& a,
-                          const Vector3d& b,
-                          std::vector<Vector3d>& path)
+                          const CurvePoint& b,
+                          std::vector<CurvePoint>& path)
 {
-  const double length = (b - a).head<2>().norm();
+  const double length = (b.tip - a).head<2>().norm();
   if (length <= shortest_) {
-    if (length > 1e-9 && cutsIn(a, b))
+    if (length > 1e-9 && cutsIn(a, b.tip))
       leap(a, b, path);
     else
       path.push_back(b);
     return;
   }
-  if (holds(a, b)) {
+  if (holds(a, b.tip)) {
     path.push_back(b);
     return;
   }
-  const Vector3d middle = 0.5 * (a + b);
-  const Vector3d between(middle.x(), middle.y(), rest(middle.x(), middle.y()).tip);
+  const Vector3d middle = 0.5 * (a + b.tip);
+  const Contact contact = rest(middle.x(), middle.y());
+  const CurvePoint between{{middle.x(), middle.y(), contact.tip},
+                           normalAt(middle.x(), middle.y(), contact)};
   refine(a, between, path);
-  refine(between, b, path);
+  refine(between.tip, b, path);
 }
 
 } // namespace pointmill

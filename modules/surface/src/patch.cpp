@@ -2,7 +2,6 @@
 // Copyright (c) 2026, the PointMill authors
 #include <pointmill/surface/patch.h>
 
-#include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
@@ -29,7 +28,7 @@ void tangents(const Vector3d& normal, Vector3d& s, Vector3d& t)
 void Neighbourhood::gatherWithin(const PointIndex& points, double distance)
 {
   radius = distance;
-  x.clear(), y.clear(), z.clear();
+  std::size_t count = 0;
   const int c0 = points.columnOf(centre.x() - distance);
   const int c1 = points.columnOf(centre.x() + distance);
   const int r0 = points.rowOf(centre.y() - distance);
@@ -37,15 +36,20 @@ void Neighbourhood::gatherWithin(const PointIndex& points, double distance)
   const double most = distance * distance;
   for (int row = r0; row <= r1; ++row) {
     const auto [first, last] = points.cells(row, c0, c1);
-    for (std::size_t i = first; i < last; ++i) {
+    if (x.size() < count + (last - first)) {
+      for (auto* column : {&x, &y, &z})
+        column->resize(count + (last - first));
+    }
+    for (std::size_t i = first; i < last; ++i) { // without branches
       const Vector3d d = points.point(i) - centre;
-      if (d.squaredNorm() > most)
-        continue;
-      x.push_back(d.x());
-      y.push_back(d.y());
-      z.push_back(d.z());
+      x[count] = d.x();
+      y[count] = d.y();
+      z[count] = d.z();
+      count += d.squaredNorm() <= most;
     }
   }
+  for (auto* column : {&x, &y, &z})
+    column->resize(count);
 }
 
 void Neighbourhood::gather(const PointIndex& points,
@@ -146,14 +150,13 @@ bool Patch::fit(const Neighbourhood& points,
       m[3], m[6], m[7], m[10], m[11], m[12], //
       m[4], m[7], m[8], m[11], m[12], m[13], //
       m[5], m[8], m[9], m[12], m[13], m[14];
-  const Eigen::LDLT<Eigen::Matrix<double, kTerms, kTerms>> solver(a);
-  const Terms pivots = solver.vectorD();
+  solver_.compute(a);
+  const Terms pivots = solver_.vectorD();
   // Points in a line or in two clumps determine no quadric.
   if (!(pivots.minCoeff() > 1e-7 * m[0]))
     return false;
   const Terms right = Eigen::Map<const Terms>(b);
-  c_ = solver.solve(right);
-  variance_ = solver.solve(Terms::Unit(0))[0];
+  c_ = solver_.solve(right);
   const double sum = std::max(0.0, ww - c_.dot(right));
   residual_ = std::sqrt(sum / static_cast<double>(count - kTerms));
   return true;

@@ -11,6 +11,12 @@
 
 namespace pointmill {
 
+/// @brief A place of the tip and the surface's normal where the tool touches there.
+struct CurvePoint {
+  Eigen::Vector3d tip;
+  Eigen::Vector3d normal;
+};
+
 /// @brief Turns a move between two CL points into chords that are proven to keep the
 /// tool within a tolerance band of the true cutter-location curve; what BufferPoints
 /// does to every chord.
@@ -47,9 +53,8 @@ public:
 
   /// @brief Appends to @p path the points that lead from @p a (not appended) to @p b.
   /// Both must stand clear of the part.
-  void refine(const Eigen::Vector3d& a,
-              const Eigen::Vector3d& b,
-              std::vector<Eigen::Vector3d>& path);
+  void
+  refine(const Eigen::Vector3d& a, const CurvePoint& b, std::vector<CurvePoint>& path);
 
   /// @brief Vertical moves that were needed at leaps.
   std::size_t leaps() const { return leaps_; }
@@ -57,9 +62,9 @@ public:
 private:
   bool cutsIn(const Eigen::Vector3d& a, const Eigen::Vector3d& b) const;
   bool followsCurve(const Eigen::Vector3d& a, const Eigen::Vector3d& b) const;
-  void leap(const Eigen::Vector3d& a,
-            const Eigen::Vector3d& b,
-            std::vector<Eigen::Vector3d>& path);
+  void
+  leap(const Eigen::Vector3d& a, const CurvePoint& b, std::vector<CurvePoint>& path);
+  Eigen::Vector3d normalAt(double x, double y, const Contact& contact) const;
 
   const SurfaceModel& surface_;
   Tool grown_;

@@ -4,6 +4,7 @@
 
 #include <pointmill/surface/point_index.h>
 
+#include <Eigen/Cholesky>
 #include <Eigen/Core>
 
 #include <vector>
@@ -73,7 +74,7 @@ public:
   /// the terms.
   double residual() const { return residual_; }
   /// @brief Variance of the height over the origin, for points of variance 1.
-  double variance() const { return variance_; }
+  double variance() const { return solver_.solve(Terms::Unit(0))[0]; }
 
   /// @brief Whether (s, t) lies between the points, not beyond their border: no half
   /// of the directions from there is without a point.
@@ -82,7 +83,8 @@ public:
 private:
   Eigen::Vector3d origin_, s_, t_, normal_;
   Terms c_ = Terms::Zero(); // of s and t over the radius
-  double radius_ = 1, residual_ = 0, variance_ = 0;
+  Eigen::LDLT<Eigen::Matrix<double, kTerms, kTerms>> solver_;
+  double radius_ = 1, residual_ = 0;
 };
 
 } // namespace pointmill

@@ -36,7 +36,6 @@ void BufferPoints<PointT>::apply(CLCloud& output)
   }
   begin.push_back(ids.size());
 
-  const Tool grown = tool_.grown(allowance_);
   struct Refined {
     CLCloud path;
     std::size_t leaps = 0, raised = 0;
@@ -45,14 +44,14 @@ void BufferPoints<PointT>::apply(CLCloud& output)
   parallelFor(passes.size(), threads_, [&](std::size_t k) {
     ChordRefiner refiner(*model, tool_, allowance_, floor, band_, shortest_);
     Refined& mine = passes[k];
-    std::vector<Eigen::Vector3d> chord;
+    std::vector<CurvePoint> chord;
     Eigen::Vector3d last;
     for (std::size_t i = begin[k]; i < begin[k + 1]; ++i) {
       const PointCL& p = (*this->input_)[ids[i]];
-      Eigen::Vector3d at(p.x, p.y, p.z);
-      const double lowest = refiner.rest(at.x(), at.y()).tip;
-      if (at.z() < lowest - 1e-5) { // float32 rounds by less
-        at.z() = lowest;
+      CurvePoint at{{p.x, p.y, p.z}, {p.normal_x, p.normal_y, p.normal_z}};
+      const double lowest = refiner.rest(at.tip.x(), at.tip.y()).tip;
+      if (at.tip.z() < lowest - 1e-5) { // float32 rounds by less
+        at.tip.z() = lowest;
         ++mine.raised;
       }
       chord.clear();
@@ -62,19 +61,15 @@ void BufferPoints<PointT>::apply(CLCloud& output)
         refiner.refine(last, at, chord);
       for (const auto& c : chord) {
         PointCL q = p;
-        q.x = static_cast<float>(c.x());
-        q.y = static_cast<float>(c.y());
-        q.z = static_cast<float>(c.z());
-        if (&c != &chord.back()) { // an inserted point has a contact of its own
-          const Contact contact = refiner.rest(c.x(), c.y());
-          const Eigen::Vector3d n = contactNormal(grown, c.x(), c.y(), contact);
-          q.normal_x = static_cast<float>(n.x());
-          q.normal_y = static_cast<float>(n.y());
-          q.normal_z = static_cast<float>(n.z());
-        }
+        q.x = static_cast<float>(c.tip.x());
+        q.y = static_cast<float>(c.tip.y());
+        q.z = static_cast<float>(c.tip.z());
+        q.normal_x = static_cast<float>(c.normal.x());
+        q.normal_y = static_cast<float>(c.normal.y());
+        q.normal_z = static_cast<float>(c.normal.z());
         mine.path.push_back(q);
       }
-      last = at;
+      last = at.tip;
     }
     mine.leaps = refiner.leaps();
   });
