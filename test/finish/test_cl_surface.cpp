@@ -114,7 +114,8 @@ TEST(CLSurface, ABallTooWideForAChannelRestsOnBothEdges)
   addSurface(*cloud, {0, 28, 60, 28}, 0.05, [](double, double) { return 10; });
   CLSurface<pcl::PointXYZ> stage;
   stage.setTool(Tool::ball(1, 20));
-  stage.setStepOver(20); // 0, 20, 40
+  stage.setStepOver(20);
+  stage.setBoundary({{-20, 0}, {80, 0}, {80, 40}, {-20, 40}}); // rows at 0, 20, 40
   stage.setForwardStep(1);
   const auto path = raster(stage, cloud);
   int middle = 0;

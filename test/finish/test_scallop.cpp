@@ -206,7 +206,12 @@ TEST(Scallop, OfACliffIsHeldByRowsAcrossIt)
     const CLCloud path = *run<pcl::PointXYZ>(cloud, stage, buffer);
     const auto& report = stage.getReport();
     EXPECT_EQ(report.get("across_passes") > 10, across);
-    EXPECT_EQ(report.get("scallop_exceeded_mm2") < 0.05, across);
+    // But for the block's corners, where balls hang beside its ends.
+    const double exceeded = report.get("scallop_exceeded_mm2");
+    if (across)
+      EXPECT_LT(exceeded, 0.2);
+    else
+      EXPECT_GT(exceeded, 2);
     // On the wall's middle: how far does the nearest ball stay away?
     std::vector<Vector3d> centres;
     forMovesOfPasses(path, [&](const auto& a, const auto& b, const PointCL&) {

@@ -22,7 +22,7 @@ public:
       high = high.cwiseMax(p);
     }
     cell_ = std::max(cell, (high - low_).maxCoeff() / kMostCells);
-    low_ -= Eigen::Vector2d(cell_, cell_);
+    low_ -= Eigen::Vector2d(1.5 * cell_, 1.5 * cell_); // for the cells beside
     columns_ = cellOf(high).x + 2;
     rows_ = cellOf(high).y + 2;
     holds_.assign(columns_ * rows_, 0);
