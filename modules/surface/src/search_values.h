@@ -47,9 +47,10 @@ public:
       point_ = point;
     }
   }
-  bool mayBeat(double top, std::size_t first) const
+  bool mayBeat(double top, double distance, std::size_t first) const
   {
-    return top > tip_ || (top == tip_ && static_cast<std::int64_t>(first) < point_);
+    const double tip = top - tool_.profile(std::min(distance, radius_));
+    return tip > tip_ || (tip == tip_ && static_cast<std::int64_t>(first) < point_);
   }
 
   const SortedPoints& points() const { return points_; }
@@ -95,7 +96,10 @@ public:
     if (distance <= radius_)
       best_ = std::max(best_, points_.z[i] - tool_.profile(distance));
   }
-  bool mayBeat(double top, std::size_t) const { return top > best_; }
+  bool mayBeat(double top, double distance, std::size_t) const
+  {
+    return top - tool_.profile(std::min(distance, radius_)) > best_;
+  }
   const SortedPoints& points() const { return points_; }
   double best() const { return best_; }
 
@@ -126,7 +130,10 @@ public:
           best_,
           penetration(tool_, a_, b_, {points_.x[i], points_.y[i], points_.z[i]}));
   }
-  bool mayBeat(double top, std::size_t) const { return top > lowest_ + best_; }
+  bool mayBeat(double top, double distance, std::size_t) const
+  {
+    return top - tool_.profile(std::min(distance, tool_.radius())) > lowest_ + best_;
+  }
   const SortedPoints& points() const { return points_; }
   double best() const { return best_; }
 
