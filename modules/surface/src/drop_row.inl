@@ -68,7 +68,8 @@ private:
 class Drops {
 public:
   Drops(const SearchSpace& space, const Tool& tool)
-      : underside_(tool), value_(space.points, tool), hunt_(space, {}, tool.radius())
+      : cutter_(tool), underside_(tool), value_(space.points, cutter_),
+        hunt_(space, {}, tool.radius())
   {
   }
 
@@ -106,7 +107,10 @@ public:
   /// Close to the cutter where it touched.
   Paraboloid under() const { return underside_.touching(offset_.norm()); }
 
+  const Cutter& cutter() const { return cutter_; }
+
 private:
+  Cutter cutter_;
   CutterUnderside underside_;
   Exactly<DropValue> value_;
   Hunt<false, Exactly<DropValue>> hunt_;
@@ -129,7 +133,7 @@ public:
             Drops& drops)
       : points_(space.points), from_(from), step_(step), drops_(drops),
         deepest_(kDeepest * tool.radius()),
-        values_(kPlaces, DropValue(space.points, tool)),
+        values_(kPlaces, DropValue(space.points, drops.cutter())),
         hunt_(space,
               {0, 0, 0, (kPlaces - 1) * step.x(), (kPlaces - 1) * step.y(), 0},
               tool.radius()),
