@@ -7,9 +7,10 @@
 namespace pointmill {
 namespace {
 
+// At the rim the root turns rounding by 1e-16 into 1e-8.
 bool near(double a, double b, const Tool& tool)
 {
-  return std::abs(a - b) <= 1e-9 * tool.radius();
+  return std::abs(a - b) <= 1e-6 * tool.radius();
 }
 
 } // namespace
