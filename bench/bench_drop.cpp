@@ -1,62 +1,159 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the PointMill authors
 //
-// How long it takes to drop a ball end mill onto a freeform, three ways that give the
-// same heights: every point asked, one radius query of a kd-tree, PointIndex.
+// How long it takes to drop a ball end mill at 333,000 places onto a scan, by several
+// routes, and how far the heights are from those on the true surface.
+//   bench_drop [--points=1e5,1e6,1e7] [options of Google Benchmark]
+#include "surfaces.h"
+
+#include <pointmill/common/parallel.h>
 #include <pointmill/surface/point_index.h>
 
-#include <pointmill_test/random.h>
-
 #include <benchmark/benchmark.h>
-#include <pcl/kdtree/kdtree_flann.h>
-#include <pcl/point_cloud.h>
-#include <pcl/point_types.h>
+#include <pcl/search/kdtree.h>
 
+#include <algorithm>
+#include <chrono>
 #include <cmath>
-#include <map>
+#include <fstream>
+#include <limits>
 #include <memory>
+#include <sstream>
+#include <string>
 #include <vector>
 
 namespace {
 
+using bench::Cloud;
+using bench::Surface;
+using pointmill::Contact;
 using pointmill::PointIndex;
 using pointmill::Tool;
-using Cloud = pcl::PointCloud<pcl::PointXYZ>;
 
-constexpr double kEdge = 100; // of the freeform [mm]
-constexpr int kPlaces = 16;   // CL points along each edge
-const Tool kBall = Tool::ball(1, 3.0);
+const Tool kBall = Tool::ball(1, 2 * bench::kBall);
+constexpr std::size_t kPlaces = std::size_t(bench::kRows) * bench::kColumns;
+constexpr double kNothing = -std::numeric_limits<double>::infinity();
 
-/// `count` random points of the freeform.
-Cloud::Ptr makeFreeform(std::size_t count)
+/// The last cloud that was asked for; the benchmarks are sorted by cloud.
+Cloud::ConstPtr cloudOf(const Surface& surface, std::size_t count)
 {
-  pointmill_test::Random random(7);
-  Cloud::Ptr cloud(new Cloud);
-  for (std::size_t i = 0; i < count; ++i) {
-    const double x = random.uniform(0, kEdge), y = random.uniform(0, kEdge);
-    const double z =
-        10 + 4 * std::sin(x / 9) * std::cos(y / 11) + 2 * std::sin(x / 4 + y / 6);
-    cloud->push_back({float(x), float(y), float(z)});
+  static const Surface* of = nullptr;
+  static Cloud::ConstPtr cloud;
+  if (of != &surface || cloud->size() != count) {
+    cloud.reset();
+    cloud = bench::makeCloud(surface, count);
+    of = &surface;
   }
   return cloud;
 }
 
-/// Of each size one cloud for all benchmarks.
-Cloud::ConstPtr freeform(std::size_t count)
+const std::vector<double>& truthOf(const Surface& surface)
 {
-  static std::map<std::size_t, Cloud::ConstPtr> clouds;
-  auto& cloud = clouds[count];
-  if (!cloud)
-    cloud = makeFreeform(count);
-  return cloud;
+  static const Surface* of = nullptr;
+  static std::vector<double> tips;
+  if (of != &surface)
+    tips = bench::truth(surface);
+  of = &surface;
+  return tips;
 }
+
+double now()
+{
+  const auto t = std::chrono::steady_clock::now().time_since_epoch();
+  return std::chrono::duration<double>(t).count();
+}
+
+/// Most memory that the program has had since the last call [GiB], where Linux says so.
+double peakMemory()
+{
+  std::ifstream status("/proc/self/status");
+  std::string word;
+  double kilobytes = 0;
+  while (status >> word)
+    if (word == "VmHWM:")
+      status >> kilobytes;
+  std::ofstream("/proc/self/clear_refs") << 5;
+  return kilobytes / (1024 * 1024);
+}
+
+/// Differences from the truth [um]; the mean is what the ball sinks by.
+void countErrors(benchmark::State& state,
+                 const std::vector<double>& tips,
+                 const std::vector<double>& truth)
+{
+  std::vector<double> errors;
+  double squares = 0, sum = 0;
+  for (std::size_t i = 0; i < tips.size(); ++i) {
+    const double error = 1e3 * (tips[i] - truth[i]);
+    if (std::isnan(truth[i]))
+      continue;
+    errors.push_back(std::abs(error));
+    squares += error * error;
+    sum += error;
+  }
+  std::sort(errors.begin(), errors.end());
+  const auto count = static_cast<double>(errors.size());
+  state.counters["rms_um"] = std::sqrt(squares / count);
+  state.counters["p99_um"] = errors[static_cast<std::size_t>(0.99 * count)];
+  state.counters["max_um"] = errors.back();
+  state.counters["mean_um"] = sum / count;
+}
+
+// --- The engine: all places, by rows, on several threads.
+
+/// What gives rows of resting heights: anything with PointIndex's dropRow(). Another
+/// surface model needs a function like this one, and a line in main().
+PointIndex barePoints(const Cloud& cloud, unsigned threads)
+{
+  return PointIndex({pointmill::pointSource(cloud)}, threads);
+}
+
+template <typename Make>
+void engine(benchmark::State& state,
+            const Surface& surface,
+            std::size_t count,
+            unsigned threads,
+            Make make)
+{
+  const auto cloud = cloudOf(surface, count);
+  std::vector<double> tips(kPlaces);
+  double index_seconds = 1e300, drop_seconds = 1e300, seconds = 1e300;
+  peakMemory();
+  for (auto _ : state) {
+    const double start = now();
+    const auto model = make(*cloud, threads);
+    const double indexed = now();
+    pointmill::parallelFor(bench::kRows, threads, [&](std::size_t row) {
+      Contact contacts[bench::kColumns];
+      model.dropRow(kBall,
+                    {bench::placeX(0), bench::placeY(int(row))},
+                    {bench::kStepX, 0},
+                    bench::kColumns,
+                    contacts);
+      for (int i = 0; i < bench::kColumns; ++i)
+        tips[row * bench::kColumns + i] = contacts[i].tip;
+    });
+    const double done = now();
+    index_seconds = std::min(index_seconds, indexed - start);
+    drop_seconds = std::min(drop_seconds, done - indexed);
+    seconds = std::min(seconds, done - start);
+    state.SetIterationTime(done - start);
+  }
+  state.counters["seconds"] = seconds;
+  state.counters["index_s"] = index_seconds;
+  state.counters["drop_s"] = drop_seconds;
+  state.counters["memory_GiB"] = peakMemory();
+  countErrors(state, tips, truthOf(surface));
+}
+
+// --- The others: some of the places, one by one.
 
 class BruteForce {
 public:
   explicit BruteForce(const Cloud::ConstPtr& cloud) : cloud_(cloud) {}
   double drop(double x, double y)
   {
-    double tip = -std::numeric_limits<double>::infinity();
+    double tip = kNothing;
     for (const auto& p : *cloud_) {
       const double dx = p.x - x, dy = p.y - y, d2 = dx * dx + dy * dy;
       if (d2 <= kBall.radius() * kBall.radius())
@@ -80,6 +177,7 @@ public:
   }
 };
 
+/// One radius query for each place.
 class KdTree {
 public:
   explicit KdTree(const Cloud::ConstPtr& cloud) : cloud_(cloud), tree_(false)
@@ -95,7 +193,7 @@ public:
                        kBall.radius() + 1e-4,
                        found_,
                        distances_);
-    double tip = -std::numeric_limits<double>::infinity();
+    double tip = kNothing;
     for (const auto i : found_) {
       const auto& p = (*cloud_)[i];
       tip = std::max(tip, p.z - kBall.profile(std::hypot(p.x - x, p.y - y)));
@@ -105,72 +203,151 @@ public:
 
 private:
   Cloud::ConstPtr cloud_;
-  pcl::KdTreeFLANN<pcl::PointXYZ> tree_; // its results not sorted
+  pcl::search::KdTree<pcl::PointXYZ> tree_; // its results not sorted
   pcl::Indices found_;
   std::vector<float> distances_;
 };
 
-class Index {
+/// PointIndex asked for single places in no order.
+class SingleDrops {
 public:
-  explicit Index(const Cloud::ConstPtr& cloud) : index_(make(*cloud)) {}
+  explicit SingleDrops(const Cloud::ConstPtr& cloud) : index_(barePoints(*cloud, 0)) {}
   double drop(double x, double y) { return index_.drop(kBall, x, y).tip; }
 
 private:
-  static PointIndex make(const Cloud& cloud)
-  {
-    std::vector<float> x, y, z;
-    for (const auto& p : cloud) {
-      x.push_back(p.x);
-      y.push_back(p.y);
-      z.push_back(p.z);
-    }
-    return PointIndex(std::move(x), std::move(y), std::move(z));
-  }
   PointIndex index_;
 };
 
-double place(int i)
+/// Builds once, drops at `places` places that are spread over the surface, and says
+/// what all 333,000 would take.
+template <typename Route>
+void oneByOne(benchmark::State& state,
+              const Surface& surface,
+              std::size_t count,
+              std::size_t places)
 {
-  return kEdge * (i + 0.5) / kPlaces;
-}
-
-/// One iteration is one CL point; range 0 is the number of points.
-template <typename Method>
-void drop(benchmark::State& state)
-{
-  const auto cloud = freeform(static_cast<std::size_t>(state.range(0)));
-  Method method(cloud);
-  BruteForce truth(cloud);
-  for (const int i : {0, 5, kPlaces - 1})
-    if (std::abs(method.drop(place(i), place(i / 2)) -
-                 truth.drop(place(i), place(i / 2))) > 1e-6)
-      state.SkipWithError("the heights differ from brute force");
-  int at = 0;
+  const auto cloud = cloudOf(surface, count);
+  double drop_seconds = 1e300, index_seconds = 1e300;
+  std::vector<double> tips, truth;
+  peakMemory();
   for (auto _ : state) {
-    benchmark::DoNotOptimize(method.drop(place(at % kPlaces), place(at / kPlaces)));
-    at = (at + 1) % (kPlaces * kPlaces);
+    tips.clear(), truth.clear();
+    const double start = now();
+    Route route(cloud);
+    const double built = now();
+    for (std::size_t k = 0; k < places; ++k) {
+      const std::size_t i = k * 7919 * kPlaces / places % kPlaces;
+      const int row = int(i / bench::kColumns), column = int(i % bench::kColumns);
+      tips.push_back(route.drop(bench::placeX(column), bench::placeY(row)));
+      truth.push_back(surface.tip(bench::placeX(column), bench::placeY(row)));
+    }
+    const double done = now();
+    index_seconds = std::min(index_seconds, built - start);
+    drop_seconds =
+        std::min(drop_seconds, (done - built) / double(places) * double(kPlaces));
+    state.SetIterationTime(index_seconds + drop_seconds);
   }
-  state.SetItemsProcessed(state.iterations());
+  state.counters["seconds"] = index_seconds + drop_seconds;
+  state.counters["index_s"] = index_seconds;
+  state.counters["drop_s"] = drop_seconds;
+  state.counters["memory_GiB"] = peakMemory();
+  countErrors(state, tips, truth);
 }
 
-/// What has to be done once before the first drop.
-template <typename Method>
-void build(benchmark::State& state)
+/// Chords of 0.1 mm along a row that rests on the points, each tried for gouges: what
+/// the certification of a finishing pass asks.
+void chords(benchmark::State& state, const Surface& surface, std::size_t count)
 {
-  const auto cloud = freeform(static_cast<std::size_t>(state.range(0)));
-  for (auto _ : state)
-    benchmark::DoNotOptimize(std::make_unique<Method>(cloud));
+  const auto cloud = cloudOf(surface, count);
+  const PointIndex index = barePoints(*cloud, 0);
+  std::vector<Contact> row(bench::kColumns);
+  index.dropRow(
+      kBall, {bench::placeX(0), 50}, {bench::kStepX, 0}, row.size(), row.data());
+  std::size_t i = 1;
+  for (auto _ : state) {
+    const Eigen::Vector3d a(bench::placeX(int(i) - 1), 50, row[i - 1].tip),
+        b(bench::placeX(int(i)), 50, row[i].tip);
+    benchmark::DoNotOptimize(index.gouge(kBall, a, b, 0.01));
+    i = i + 1 < row.size() ? i + 1 : 1;
+  }
 }
 
-constexpr int kFew = 100'000, kMany = 1'000'000;
+std::vector<std::size_t> sizes(const std::string& list)
+{
+  std::vector<std::size_t> all;
+  std::istringstream in(list);
+  for (std::string one; std::getline(in, one, ',');)
+    all.push_back(static_cast<std::size_t>(std::stod(one)));
+  return all;
+}
 
-BENCHMARK_TEMPLATE(drop, BruteForce)
-    ->Arg(kFew)
-    ->Arg(kMany)
-    ->Unit(benchmark::kMicrosecond);
-BENCHMARK_TEMPLATE(drop, KdTree)->Arg(kFew)->Arg(kMany)->Unit(benchmark::kMicrosecond);
-BENCHMARK_TEMPLATE(drop, Index)->Arg(kFew)->Arg(kMany)->Unit(benchmark::kMicrosecond);
-BENCHMARK_TEMPLATE(build, KdTree)->Arg(kFew)->Arg(kMany)->Unit(benchmark::kMillisecond);
-BENCHMARK_TEMPLATE(build, Index)->Arg(kFew)->Arg(kMany)->Unit(benchmark::kMillisecond);
+template <typename Run>
+benchmark::internal::Benchmark*
+add(const std::string& route, const Surface& surface, std::size_t count, Run run)
+{
+  std::ostringstream name;
+  name << route << "/" << surface.name << "/" << double(count);
+  return benchmark::RegisterBenchmark(
+             name.str().c_str(),
+             [=, &surface](benchmark::State& state) { run(state, surface, count); })
+      ->Unit(benchmark::kMillisecond);
+}
+
+template <typename Make>
+void addEngine(const std::string& route,
+               const Surface& surface,
+               std::size_t count,
+               unsigned threads,
+               Make make)
+{
+  const auto run = [=](auto& state, const Surface& s, std::size_t n) {
+    engine(state, s, n, threads, make);
+  };
+  add(route + "_" + std::to_string(threads), surface, count, run)->UseManualTime();
+}
+
+template <typename Route>
+void addOneByOne(const std::string& route,
+                 const Surface& surface,
+                 std::size_t count,
+                 std::size_t places)
+{
+  const auto run = [=](auto& state, const Surface& s, std::size_t n) {
+    oneByOne<Route>(state, s, n, places);
+  };
+  add(route, surface, count, run)->UseManualTime()->Iterations(1);
+}
+
+void addAll(std::size_t count)
+{
+  for (unsigned threads : {1u, 2u})
+    addEngine("points", bench::kFreeform, count, threads, barePoints);
+  add("chord", bench::kFreeform, count, chords)->Unit(benchmark::kNanosecond);
+  addOneByOne<SingleDrops>("single_drops", bench::kFreeform, count, 20000);
+  if (count <= 10'000'000) {
+    addOneByOne<KdTree>("kd_tree", bench::kFreeform, count, 500);
+    addOneByOne<BruteForce>("brute_force", bench::kFreeform, count, 20);
+    addEngine("points", bench::kHemisphere, count, 2, barePoints);
+    addEngine("points", bench::kLevel, count, 2, barePoints);
+  }
+}
 
 } // namespace
+
+int main(int argc, char** argv)
+{
+  std::string points = "1e5,1e6,1e7";
+  for (int i = 1; i < argc; ++i)
+    if (const std::string arg = argv[i]; arg.rfind("--points=", 0) == 0) {
+      points = arg.substr(9);
+      std::rotate(argv + i, argv + i + 1, argv + argc);
+      --argc;
+    }
+  for (const auto count : sizes(points))
+    addAll(count);
+  benchmark::Initialize(&argc, argv);
+  if (benchmark::ReportUnrecognizedArguments(argc, argv))
+    return 1;
+  benchmark::RunSpecifiedBenchmarks();
+  return 0;
+}

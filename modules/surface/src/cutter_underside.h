@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 
 namespace pointmill {
 
@@ -15,15 +16,38 @@ struct Paraboloid {
   double height = 0, bend = 0;
 };
 
-/// Simple surfaces that lie nowhere above a cutter's lower surface, so that the search
-/// can bound what many points would do to the cutter without square roots.
+/// Any cutter, as a polyline under its profile.
+class SampledUnderside {
+public:
+  SampledUnderside() = default;
+  /// @param profile convex and not decreasing over 0 .. @p radius
+  SampledUnderside(double radius, const std::function<double(double)>& profile);
+
+  /// A paraboloid that comes close to the cutter at radius @p r and is nowhere above
+  /// it.
+  Paraboloid touching(double r) const;
+
+private:
+  static constexpr int kKnots = 32;
+  double knot(int k) const { return std::min(radius_, radius_ * k / kKnots); }
+
+  double radius_ = 0;
+  std::array<double, kKnots + 1> profile_;      // at the knots
+  std::array<double, 2 * kKnots> r_, corner_z_; // corners of the polyline
+};
+
+/// Paraboloids under a cutter, so that the search can bound what many points would do
+/// to it without square roots.
 class CutterUnderside {
 public:
   explicit CutterUnderside(const Tool& tool);
 
   /// A paraboloid that comes close to the cutter at radius @p r and is nowhere above
   /// it.
-  Paraboloid touching(double r) const { return rounded_ ? tangent(r) : chord(r); }
+  Paraboloid touching(double r) const
+  {
+    return rounded_ ? tangent(r) : sampled_.touching(r);
+  }
 
 private:
   // In r^2 the profile is convex, so that its tangent at r is nowhere above it.
@@ -36,20 +60,13 @@ private:
     const double bend = 0.5 * u / (w * at);
     return {corner_ - w - bend * at * at, bend};
   }
-  Paraboloid chord(double r) const;
-  double highestUnder(double bend) const;
-  double knot(int k) const { return std::min(radius_, radius_ * k / kKnots); }
 
   /// Cuts the rim off, where the cutter is as good as vertical.
   static constexpr double kSteepest = 0.98;
-  static constexpr int kKnots = 32;
 
-  Tool tool_;
-  double radius_, corner_, flat_, bend_of_tip_;
+  double corner_, flat_, bend_of_tip_;
   bool rounded_; // a disc of radius flat_, rolled round by corner_, and nothing else
-  // Otherwise: corners of a polyline r, z with no part above the convex profile.
-  int corners_ = 0;
-  std::array<double, 2 * kKnots + 1> r_, z_;
+  SampledUnderside sampled_; // of other cutters
 };
 
 } // namespace pointmill

@@ -15,7 +15,7 @@ public:
     overflow_ = false;
   }
   double best() const { return best_; }
-  bool mayBeat(double, std::size_t) const { return true; }
+  bool mayBeat(double, double, std::size_t) const { return true; }
   void ask(std::size_t) {}
 
   template <typename Sieve>
@@ -45,7 +45,7 @@ public:
   }
   void sift(Sieve<false>& sieve, DropValue& value) const
   {
-    siftColumns(sieve, x_, y_, z_, count_, value, [&](auto k) { return point_[k]; });
+    sieve.sift(x_, y_, z_, count_, value, [&](auto k) { return point_[k]; });
   }
 
 private:
@@ -64,109 +64,130 @@ private:
   std::uint32_t point_[kMost + kLanes];
 };
 
-/// Drops a cutter at places in a row. Where they are near each other, the search goes
-/// down the pyramid once for a stretch of them, as for a move over that stretch just
-/// under the heights that are known to be reached.
-class RowOfDrops {
+/// Drops a cutter, and remembers where it came to rest: near there it will rest again.
+class Drops {
 public:
-  RowOfDrops(const SearchSpace& space,
-             const Tool& tool,
-             const Eigen::Vector2d& from,
-             const Eigen::Vector2d& step)
-      : points_(space.points), from_(from), step_(step), underside_(tool),
-        deepest_(kDeepest * tool.radius()),
-        near_((kStretch - 1) * step.norm() <= kLongest * tool.radius()),
-        values_(kStretch, Exactly<DropValue>(space.points, tool)),
-        single_(space, {}, tool.radius()),
-        stretch_(space, overStretch(step), tool.radius()), sieve_({}, tool.radius()),
-        nearby_(space.points)
+  Drops(const SearchSpace& space, const Tool& tool)
+      : cutter_(tool), underside_(tool), value_(space.points, cutter_),
+        hunt_(space, {}, tool.radius())
   {
   }
 
-  void drop(std::size_t count, Contact* contacts)
+  Contact drop(const Eigen::Vector2d& at)
   {
-    for (std::size_t i = 0; i < count;) {
-      const std::size_t stop = std::min(count, i + kStretch);
-      if (near_ && last_ >= 0 && stop == i + kStretch && dropStretch(i, contacts + i))
-        i = stop;
-      for (; i < stop; ++i)
-        dropOne(i, contacts[i]);
-    }
-  }
-
-private:
-  static constexpr int kStretch = 8;
-  static constexpr double kLongest = 0.6; // stretch, and how far it may sag
-  static constexpr double kDeepest = 0.1; // under its chord, in radii of the cutter
-
-  static Move overStretch(const Eigen::Vector2d& step)
-  {
-    return {0, 0, 0, (kStretch - 1) * step.x(), (kStretch - 1) * step.y(), 0};
-  }
-
-  Eigen::Vector2d place(std::size_t i) const
-  {
-    return from_ + static_cast<double>(i) * step_;
-  }
-
-  void keep(const DropValue& value, const Eigen::Vector2d& at, Contact& contact)
-  {
-    contact = value.contact();
-    last_ = contact.point;
-    if (contact.touches())
-      offset_ = contact.at.head<2>() - at;
-  }
-
-  void dropOne(std::size_t i, Contact& contact)
-  {
-    const Eigen::Vector2d at = place(i);
-    auto& value = values_[0];
-    value.startAt(at);
-    if (single_.startAt(at.x(), at.y(), value)) {
+    value_.startAt(at);
+    if (hunt_.startAt(at.x(), at.y(), value_)) {
       double lean = offset_.norm();
       if (last_ >= 0)
-        value.ask(static_cast<std::size_t>(last_));
-      if (!value.touches()) {
-        single_.seed(underside_.touching(0));
-        lean = single_.guess();
+        value_.ask(static_cast<std::size_t>(last_));
+      if (!value_.touches()) {
+        hunt_.seed(underside_.touching(0));
+        lean = hunt_.guess();
       }
-      single_.all(underside_.touching(lean));
+      hunt_.all(underside_.touching(lean));
     }
-    keep(value, at, contact);
+    return keep(value_, at);
   }
 
-  bool dropStretch(std::size_t i, Contact* contacts)
+  Contact keep(const DropValue& value, const Eigen::Vector2d& at)
   {
-    Paraboloid under = underside_.touching(offset_.norm());
-    const double base = contacts[-1].tip;
-    sieve_.lean(under, base, 0);
+    const Contact contact = value.contact();
+    last_ = contact.point;
+    if (contact.touches()) {
+      tip_ = contact.tip;
+      offset_ = contact.at.head<2>() - at;
+    }
+    return contact;
+  }
+
+  bool touched() const { return last_ >= 0; }
+  std::size_t point() const { return static_cast<std::size_t>(last_); }
+  double tip() const { return tip_; }
+  const Eigen::Vector2d& offset() const { return offset_; } ///< of the contact
+  /// Close to the cutter where it touched.
+  Paraboloid under() const { return underside_.touching(offset_.norm()); }
+
+  const Cutter& cutter() const { return cutter_; }
+
+private:
+  Cutter cutter_;
+  CutterUnderside underside_;
+  Exactly<DropValue> value_;
+  Hunt<false, Exactly<DropValue>> hunt_;
+  std::int64_t last_ = -1;
+  double tip_ = 0;
+  Eigen::Vector2d offset_{0, 0};
+};
+
+/// Drops a cutter at places in a row that are near each other. The search goes down the
+/// pyramid once for a stretch of them, as for a move over that stretch just under the
+/// heights that are known to be reached.
+class Stretches {
+public:
+  static constexpr int kPlaces = 6; ///< of a stretch
+
+  Stretches(const SearchSpace& space,
+            const Tool& tool,
+            const Eigen::Vector2d& from,
+            const Eigen::Vector2d& step,
+            Drops& drops)
+      : points_(space.points), from_(from), step_(step), drops_(drops),
+        deepest_(kDeepest * tool.radius()),
+        values_(kPlaces, DropValue(space.points, drops.cutter())),
+        hunt_(space,
+              {0, 0, 0, (kPlaces - 1) * step.x(), (kPlaces - 1) * step.y(), 0},
+              tool.radius()),
+        sieve_({}, tool.radius()), nearby_(space.points)
+  {
+  }
+
+  /// Whether places so far apart are near each other.
+  static bool suits(const Tool& tool, const Eigen::Vector2d& step)
+  {
+    return (kPlaces - 1) * step.norm() <= 0.6 * tool.radius();
+  }
+
+  /// Drops at the places from number @p i on. False, and nothing is done, where the
+  /// ground is too rough to do it at once.
+  bool drop(std::size_t i, Contact* contacts)
+  {
+    const Paraboloid under = drops_.under();
+    sieve_.lean(under, drops_.tip(), 0);
     if (sieve_.flat())
       return false;
-    for (int k = 0; k < kStretch; ++k)
+    for (int k = 0; k < kPlaces; ++k)
       if (!glance(place(i + k), values_[k]))
         return false;
-    const double first = values_[0].best(), rise = values_[kStretch - 1].best() - first;
-    double sag = 0;
-    for (int k = 1; k + 1 < kStretch; ++k)
-      sag = std::max(sag, first + rise * k / (kStretch - 1) - values_[k].best());
+    const double first = values_.front().best(), rise = values_.back().best() - first;
+    double sag = 0; // under the chord over the stretch
+    for (int k = 1; k + 1 < kPlaces; ++k)
+      sag = std::max(sag, first + rise * k / (kPlaces - 1) - values_[k].best());
     if (sag > deepest_)
       return false;
-    nearby_.start(-sag);
-    stretch_.tilt(first, rise);
     const Eigen::Vector2d start = place(i);
-    if (!stretch_.startAt(start.x(), start.y(), nearby_))
+    nearby_.start(-sag);
+    hunt_.tilt(first, rise);
+    if (!hunt_.startAt(start.x(), start.y(), nearby_))
       return false;
-    stretch_.all(under);
+    hunt_.all(under);
     if (!nearby_.close())
       return false;
-    for (int k = 0; k < kStretch; ++k) {
+    for (int k = 0; k < kPlaces; ++k) {
       const Eigen::Vector2d at = place(i + k);
       sieve_.startAt(at.x(), at.y());
       sieve_.demand(values_[k].best());
       nearby_.sift(sieve_, values_[k]);
-      keep(values_[k], at, contacts[k]);
+      contacts[k] = drops_.keep(values_[k], at);
     }
     return true;
+  }
+
+private:
+  static constexpr double kDeepest = 0.1; // sag, in radii of the cutter
+
+  Eigen::Vector2d place(std::size_t i) const
+  {
+    return from_ + static_cast<double>(i) * step_;
   }
 
   /// Rests on a good point, likely the best: near where the last one was, moved along.
@@ -174,30 +195,26 @@ private:
   bool glance(const Eigen::Vector2d& at, DropValue& value)
   {
     const CellFrame& frame = points_.frame;
-    const int row = frame.row(at.y() + offset_.y()),
-              column = frame.column(at.x() + offset_.x());
+    const Eigen::Vector2d there = at + drops_.offset();
     const std::size_t first =
-        points_.start[static_cast<std::size_t>(row) * frame.columns + column];
+        points_.start[static_cast<std::size_t>(frame.row(there.y())) * frame.columns +
+                      frame.column(there.x())];
     sieve_.startAt(at.x(), at.y());
     value.startAt(at);
     const int k =
         sieve_.highest(&points_.x[first], &points_.y[first], &points_.z[first]);
-    value.ask(k < 0 ? static_cast<std::size_t>(last_) : first + k);
+    value.ask(k < 0 ? drops_.point() : first + static_cast<std::size_t>(k));
     return value.touches();
   }
 
   const SortedPoints& points_;
   Eigen::Vector2d from_, step_;
-  CutterUnderside underside_;
+  Drops& drops_;
   double deepest_;
-  bool near_;
-  std::vector<Exactly<DropValue>> values_;
-  Hunt<false, Exactly<DropValue>> single_;
-  Hunt<true, Nearby> stretch_;
+  std::vector<DropValue> values_;
+  Hunt<true, Nearby> hunt_;
   Sieve<false> sieve_;
   Nearby nearby_;
-  std::int64_t last_ = -1;          // the point that the cutter rested on before,
-  Eigen::Vector2d offset_ = {0, 0}; // and where that was from the axis
 };
 
 void dropRow(const SearchSpace& space,
@@ -207,5 +224,20 @@ void dropRow(const SearchSpace& space,
              std::size_t count,
              Contact* contacts)
 {
-  RowOfDrops(space, tool, from, step).drop(count, contacts);
+  Drops drops(space, tool);
+  std::size_t i = 0;
+  const auto dropUntil = [&](std::size_t stop) {
+    for (; i < stop; ++i)
+      contacts[i] = drops.drop(from + static_cast<double>(i) * step);
+  };
+  if (count > Stretches::kPlaces && Stretches::suits(tool, step)) {
+    Stretches stretches(space, tool, from, step, drops);
+    while (i + Stretches::kPlaces <= count) {
+      const std::size_t stop = i + Stretches::kPlaces;
+      if (drops.touched() && stretches.drop(i, contacts + i))
+        i = stop;
+      dropUntil(stop);
+    }
+  }
+  dropUntil(count);
 }

@@ -159,10 +159,27 @@ private:
     return points_.start[row * frame_.columns + column];
   }
 
+  /// From the axis to anywhere in the node, or less.
+  double distanceTo(const Node& node) const
+  {
+    const double size = pyramid_.level(node.level).size, half = 0.5001 * size;
+    const Move& move = sieve_.move();
+    const double x = frame_.x0 + (node.i + 0.5) * size - move.ax;
+    const double y = frame_.y0 + (node.j + 0.5) * size - move.ay;
+    if (kMoves)
+      return std::max(0.0,
+                      std::sqrt(segmentDistance2(0, 0, move.dx, move.dy, x, y)) -
+                          1.4143 * half);
+    const double u = std::max(0.0, std::abs(x) - half),
+                 v = std::max(0.0, std::abs(y) - half);
+    return std::sqrt(u * u + v * v);
+  }
+
   bool matters(const Node& node) const
   {
-    return sieve_.flat() ? taker_->mayBeat(node.bound, firstPoint(node))
-                         : node.bound >= sieve_.limit();
+    return sieve_.flat()
+               ? taker_->mayBeat(node.bound, distanceTo(node), firstPoint(node))
+               : node.bound >= sieve_.limit();
   }
 
   /// Puts the nodes of a block that matter on the stack, the best on top, or asks the
@@ -228,9 +245,8 @@ struct Exactly : Value {
   void take(Sieve& sieve, std::size_t first, std::size_t last)
   {
     const SortedPoints& p = this->points();
-    siftColumns(
-        sieve, &p.x[first], &p.y[first], &p.z[first], last - first, *this, [&](auto k) {
-          return first + k;
-        });
+    sieve.sift(&p.x[first], &p.y[first], &p.z[first], last - first, *this, [&](auto k) {
+      return first + k;
+    });
   }
 };

@@ -16,7 +16,8 @@ double dropAlong(const SearchSpace& space,
                  const Eigen::Vector2d& a,
                  const Eigen::Vector2d& b)
 {
-  Exactly<AlongValue> value(space.points, tool, a, b);
+  const Cutter cutter(tool);
+  Exactly<AlongValue> value(space.points, cutter, a, b);
   const Move move{a.x(), a.y(), 0, b.x() - a.x(), b.y() - a.y(), 0};
   Hunt<true, Exactly<AlongValue>> hunt(space, move, tool.radius());
   if (hunt.startAt(a.x(), a.y(), value)) {
@@ -33,7 +34,8 @@ double gouge(const SearchSpace& space,
              const Eigen::Vector3d& b,
              double tolerance)
 {
-  Exactly<GougeValue> value(space.points, tool, a, b, tolerance);
+  const Cutter cutter(tool);
+  Exactly<GougeValue> value(space.points, cutter, a, b, tolerance);
   const Move move{a.x(), a.y(), a.z(), b.x() - a.x(), b.y() - a.y(), b.z() - a.z()};
   Hunt<true, Exactly<GougeValue>> hunt(space, move, tool.radius());
   if (hunt.startAt(a.x(), a.y(), value)) {

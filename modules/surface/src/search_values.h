@@ -2,7 +2,8 @@
 // Copyright (c) 2026, the PointMill authors
 #pragma once
 
-#include <pointmill/common/tool.h>
+#include "cutter.h"
+
 #include <pointmill/surface/contact.h>
 #include <pointmill/surface/sorted_points.h>
 #include <pointmill/surface/sweep.h>
@@ -20,9 +21,8 @@ namespace pointmill {
 /// Resting height on a point. Of points that give the same height, the first counts.
 class DropValue {
 public:
-  DropValue(const SortedPoints& points, const Tool& tool)
-      : points_(points), tool_(tool), radius_(tool.radius()),
-        radius2_(radius_ * radius_), ball_(tool.isBall())
+  DropValue(const SortedPoints& points, const Cutter& cutter)
+      : points_(points), cutter_(cutter)
   {
   }
   void startAt(const Eigen::Vector2d& at)
@@ -36,20 +36,19 @@ public:
   {
     const double dx = points_.x[i] - at_.x(), dy = points_.y[i] - at_.y();
     const double d2 = dx * dx + dy * dy;
-    if (!(d2 <= radius2_))
+    if (!(d2 <= cutter_.radius2()))
       return;
-    const double profile = ball_ ? radius_ - std::sqrt(radius2_ - d2)
-                                 : tool_.profile(std::min(std::sqrt(d2), radius_));
-    const double tip = points_.z[i] - profile;
+    const double tip = points_.z[i] - cutter_.profile2(d2);
     const auto point = static_cast<std::int64_t>(i);
     if (tip > tip_ || (tip == tip_ && point < point_)) {
       tip_ = tip;
       point_ = point;
     }
   }
-  bool mayBeat(double top, std::size_t first) const
+  bool mayBeat(double top, double distance, std::size_t first) const
   {
-    return top > tip_ || (top == tip_ && static_cast<std::int64_t>(first) < point_);
+    const double tip = top - cutter_.profile(distance);
+    return tip > tip_ || (tip == tip_ && static_cast<std::int64_t>(first) < point_);
   }
 
   const SortedPoints& points() const { return points_; }
@@ -69,9 +68,7 @@ public:
 
 private:
   const SortedPoints& points_;
-  const Tool& tool_;
-  double radius_, radius2_;
-  bool ball_;
+  const Cutter& cutter_;
   Eigen::Vector2d at_{0, 0};
   double tip_ = -std::numeric_limits<double>::infinity();
   std::int64_t point_ = -1;
@@ -81,40 +78,43 @@ private:
 class AlongValue {
 public:
   AlongValue(const SortedPoints& points,
-             const Tool& tool,
+             const Cutter& cutter,
              const Eigen::Vector2d& a,
              const Eigen::Vector2d& b)
-      : points_(points), tool_(tool), a_(a), b_(b), radius_(tool.radius())
+      : points_(points), cutter_(cutter), a_(a), b_(b)
   {
   }
 
   void ask(std::size_t i)
   {
-    const double distance = std::sqrt(
-        segmentDistance2(a_.x(), a_.y(), b_.x(), b_.y(), points_.x[i], points_.y[i]));
-    if (distance <= radius_)
-      best_ = std::max(best_, points_.z[i] - tool_.profile(distance));
+    const double d2 =
+        segmentDistance2(a_.x(), a_.y(), b_.x(), b_.y(), points_.x[i], points_.y[i]);
+    if (d2 <= cutter_.radius2())
+      best_ = std::max(best_, points_.z[i] - cutter_.profile2(d2));
   }
-  bool mayBeat(double top, std::size_t) const { return top > best_; }
+  bool mayBeat(double top, double distance, std::size_t) const
+  {
+    return top - cutter_.profile(distance) > best_;
+  }
   const SortedPoints& points() const { return points_; }
   double best() const { return best_; }
 
 private:
   const SortedPoints& points_;
-  const Tool& tool_;
+  const Cutter& cutter_;
   Eigen::Vector2d a_, b_;
-  double radius_, best_ = -std::numeric_limits<double>::infinity();
+  double best_ = -std::numeric_limits<double>::infinity();
 };
 
 /// Depth of a point inside the cutter on a straight move; more than `tolerance` counts.
 class GougeValue {
 public:
   GougeValue(const SortedPoints& points,
-             const Tool& tool,
+             const Cutter& cutter,
              const Eigen::Vector3d& a,
              const Eigen::Vector3d& b,
              double tolerance)
-      : points_(points), tool_(tool), a_(a), b_(b), lowest_(std::min(a.z(), b.z())),
+      : points_(points), cutter_(cutter), a_(a), b_(b), lowest_(std::min(a.z(), b.z())),
         best_(tolerance)
   {
   }
@@ -124,15 +124,18 @@ public:
     if (points_.z[i] > lowest_ + best_) // no deeper inside than below the surface
       best_ = std::max(
           best_,
-          penetration(tool_, a_, b_, {points_.x[i], points_.y[i], points_.z[i]}));
+          cutter_.penetration(a_, b_, {points_.x[i], points_.y[i], points_.z[i]}));
   }
-  bool mayBeat(double top, std::size_t) const { return top > lowest_ + best_; }
+  bool mayBeat(double top, double distance, std::size_t) const
+  {
+    return top - cutter_.profile(distance) > lowest_ + best_;
+  }
   const SortedPoints& points() const { return points_; }
   double best() const { return best_; }
 
 private:
   const SortedPoints& points_;
-  const Tool& tool_;
+  const Cutter& cutter_;
   Eigen::Vector3d a_, b_;
   double lowest_, best_;
 };

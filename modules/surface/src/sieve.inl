@@ -116,7 +116,6 @@ public:
 
   bool flat() const { return flat_; }
   float limit() const { return limit_node_; }
-  float limitOfPoints() const { return limit_point_; }
   const Move& move() const { return move_; }
 
   /// Largest squared distance to the axis at which a node of this @p size can matter.
@@ -163,14 +162,35 @@ public:
     return mask;
   }
 
-  /// Of kLanes points in a row, those that can matter, as bits, and bounds of their
-  /// values.
-  unsigned points(const float* x, const float* y, const float* z, float* bound) const
+  /// Has value.ask(pointAt(k)) called for the points of columns that can matter, as far
+  /// as the best of those before lets them.
+  template <typename Value, typename PointAt>
+  void sift(const float* x,
+            const float* y,
+            const float* z,
+            std::size_t count,
+            Value& value,
+            PointAt&& pointAt)
   {
-    Floats near2;
-    const Floats value = valuesOf(x, y, z, near2);
-    __builtin_memcpy(bound, &value, sizeof value);
-    return within(value, limit_point_, near2, reach2_);
+    const Sieve here(*this); // which asking cannot change
+    alignas(64) float bound[kLanes];
+    float limit = limit_point_;
+    for (std::size_t p = 0; p < count; p += kLanes) {
+      Floats near2;
+      const Floats bounds = here.valuesOf(x + p, y + p, z + p, near2);
+      unsigned mask = within(bounds, limit, near2, here.reach2_);
+      if (!mask)
+        continue;
+      __builtin_memcpy(bound, &bounds, sizeof bounds);
+      for (; mask; mask &= mask - 1) {
+        const unsigned k = __builtin_ctz(mask);
+        if (bound[k] < limit)
+          continue;
+        value.ask(pointAt(p + k));
+        demand(value.best());
+        limit = limit_point_;
+      }
+    }
   }
 
   /// The one of kLanes points in a row with the highest bound, -1 where all are out of
@@ -236,25 +256,3 @@ private:
   float limit_point_ = 0, limit_node_ = 0;
   bool flat_ = true;
 };
-
-/// Takes points in columns one by one, as far as the sieve lets them through.
-template <bool kMoves, typename Value, typename Point>
-inline void siftColumns(Sieve<kMoves>& sieve,
-                        const float* x,
-                        const float* y,
-                        const float* z,
-                        std::size_t count,
-                        Value& value,
-                        Point&& pointAt)
-{
-  alignas(64) float bound[kLanes];
-  for (std::size_t p = 0; p < count; p += kLanes)
-    for (unsigned mask = sieve.points(x + p, y + p, z + p, bound); mask;
-         mask &= mask - 1) {
-      const unsigned k = __builtin_ctz(mask);
-      if (bound[k] < sieve.limitOfPoints())
-        continue;
-      value.ask(pointAt(p + k));
-      sieve.demand(value.best());
-    }
-}

@@ -85,7 +85,6 @@ public:
   int rowOf(double y) const { return points_.frame.row(y); }
 
 private:
-  friend class SearchChoice;
   void build(std::vector<PointSource> sources, unsigned threads, bool all_finite);
 
   SortedPoints points_;
