@@ -14,6 +14,15 @@ namespace {
 /// Stretches of this share of a chord are as good as nothing: a leap is in them.
 constexpr double kShortest = 1.0 / 1024;
 
+/// A coordinate as float32 will hold it: beside a wall the curve is too steep to be
+/// asked elsewhere. Volatile, since GCC 12 drops the two conversions where it turns
+/// them into vectors.
+double stored(double coordinate)
+{
+  const volatile float single = static_cast<float>(coordinate);
+  return single;
+}
+
 } // namespace
 
 Contact ChordRefiner::rest(double x, double y) const
@@ -116,10 +125,10 @@ void ChordRefiner::refine(const Vector3d& a,
     path.push_back(b);
     return;
   }
-  const Vector3d middle = 0.5 * (a + b.tip);
-  const Contact contact = rest(middle.x(), middle.y());
-  const CurvePoint between{{middle.x(), middle.y(), contact.tip},
-                           normalAt(middle.x(), middle.y(), contact)};
+  const double x = stored(0.5 * (a.x() + b.tip.x()));
+  const double y = stored(0.5 * (a.y() + b.tip.y()));
+  const Contact contact = rest(x, y);
+  const CurvePoint between{{x, y, contact.tip}, normalAt(x, y, contact)};
   refine(a, between, path);
   refine(between.tip, b, path);
 }
