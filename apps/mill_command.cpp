@@ -157,10 +157,11 @@ CLI::App* declareMill(CLI::App& app, MillCommand& command)
          "left standing, or milled like the outside")
       ->default_str("bridge")
       ->group("Scan");
-  mill->add_option("--through-hole",
-                   command.through_holes,
-                   "a place of the part frame in a gap that is a hole through the part: "
-                   "milled, whatever --gaps says; may be repeated")
+  mill->add_option(
+          "--through-hole",
+          command.through_holes,
+          "a place of the part frame in a gap that is a hole through the part: "
+          "milled, whatever --gaps says; may be repeated")
       ->type_name("X Y")
       ->type_size(2)
       ->expected(-1)

@@ -101,14 +101,15 @@ Json gapsJson(const MillJob& job)
   Json list = Json::array();
   for (const auto& gap : job.gaps()) {
     if (list.size() < 100) // the largest come first
-      list.push_back({{"kind", gap.kind == GapKind::ThroughHole ? "through_hole" : "not_scanned"},
-                      {"treatment", nameOf(gap.treatment)},
-                      {"open", gap.open},
-                      {"rim_z", {number(gap.rim_low), number(gap.rim_high)}},
-                      {"area_mm2", gap.area},
-                      {"centre", {gap.centre.x(), gap.centre.y()}},
-                      {"min", {gap.min.x(), gap.min.y()}},
-                      {"max", {gap.max.x(), gap.max.y()}}});
+      list.push_back(
+          {{"kind", gap.kind == GapKind::ThroughHole ? "through_hole" : "not_scanned"},
+           {"treatment", nameOf(gap.treatment)},
+           {"open", gap.open},
+           {"rim_z", {number(gap.rim_low), number(gap.rim_high)}},
+           {"area_mm2", gap.area},
+           {"centre", {gap.centre.x(), gap.centre.y()}},
+           {"min", {gap.min.x(), gap.min.y()}},
+           {"max", {gap.max.x(), gap.max.y()}}});
   }
   return {{"policy", nameOf(job.options().gaps)},
           {"count", job.gaps().size()},

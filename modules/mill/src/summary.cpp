@@ -36,8 +36,8 @@ std::string surfaceLine(const MillJob& job)
             spacing.median,
             spacing.p99,
             surface.noise);
-  const double sink = sinkBetweenPoints(job.options().finish.tool,
-                                        job.scanFigures().spacing.p99);
+  const double sink =
+      sinkBetweenPoints(job.options().finish.tool, job.scanFigures().spacing.p99);
   if (!surface.smooth)
     return text + print("surface    the bare points; %s may sink %.4f mm between "
                         "them\n",
@@ -66,8 +66,8 @@ std::vector<std::string> warningsOf(const MillJob& job)
     lines.push_back(print("the part's surroundings are cut down to the bottom of the "
                           "stock, Z%.2f: --floor or --stock-bottom leave it a base",
                           job.floor()));
-  const double sink = sinkBetweenPoints(job.options().finish.tool,
-                                        job.scanFigures().spacing.p99);
+  const double sink =
+      sinkBetweenPoints(job.options().finish.tool, job.scanFigures().spacing.p99);
   if (!job.surfaceFigures().smooth && sink > job.options().tolerance)
     lines.push_back(
         print("the scan is sparse: between its points the last tool may sink "

@@ -150,8 +150,8 @@ void MillJob::makeSurface()
                       length(scan_.spacing.p99) + " apart, where " + last.describe() +
                       " may sink " + length(sink) +
                       " below the surface, and --tolerance is " +
-                      length(options_.tolerance) +
-                      " (the widest place is at " + at(scan_.spacing.worst_at) +
+                      length(options_.tolerance) + " (the widest place is at " +
+                      at(scan_.spacing.worst_at) +
                       "); --surface smooth closes the surface between the points, a "
                       "denser scan or a larger tool sinks less, --accept-sparse goes "
                       "on as it is");

@@ -4,7 +4,6 @@
 #include <pointmill/common/parameters.h>
 #include <pointmill/surface/stock_field.h>
 #include <pointmill/surface/sweep.h>
-#include <pointmill/surface/sweep_range.h>
 
 #include <algorithm>
 #include <cmath>
@@ -15,6 +14,8 @@ namespace {
 
 /// Cells of a row that are passed over at once where nothing can happen to them.
 constexpr int kRun = 8;
+/// More than what rounding takes from lengths and heights [mm].
+constexpr double kRounding = 1e-9;
 
 } // namespace
 
@@ -67,6 +68,16 @@ Cut StockField::cut(const Tool& tool,
   const double lowest = std::min(a.z(), b.z());
   const double dx = b.x() - a.x(), dy = b.y() - a.y(), len2 = dx * dx + dy * dy;
   Cut taken;
+  // No lower than this over y from x0 to x1: the tip is nowhere lower, and the axis no
+  // nearer than the move's box is.
+  const double left = std::min(a.x(), b.x()), right = std::max(a.x(), b.x());
+  const double near = std::min(a.y(), b.y()), far = std::max(a.y(), b.y());
+  const auto lowestIn = [&](double x0, double x1, double cy) {
+    const double ox = std::max({0.0, left - x1, x0 - right});
+    const double oy = std::max({0.0, near - cy, cy - far});
+    const double away = std::sqrt(ox * ox + oy * oy) - kRounding;
+    return lowest + cutter.height(std::max(0.0, away)) - kRounding;
+  };
   const auto cutCell = [&](float& cell, double cx, double cy) {
     if (cell <= lowest)
       return;
@@ -83,6 +94,8 @@ Cut StockField::cut(const Tool& tool,
         return;
       h = a.z() + t * (b.z() - a.z()) + cutter.height(d);
     }
+    else if (lowestIn(cx, cx, cy) >= cell)
+      return;
     else
       h = sweptHeight(cutter, a, b, cx, cy);
     if (h < cell) {
@@ -101,10 +114,7 @@ Cut StockField::cut(const Tool& tool,
     const double cy = y(row);
     for (int run = c0 / kRun; run * kRun <= c1; ++run) {
       const int first = run * kRun, last = std::min(columns_, first + kRun) - 1;
-      if (tops[run] <= lowest)
-        continue;
-      const double middle = 0.5 * (x(first) + x(last));
-      if (sweptHeightRange(cutter, a, b, middle, cy, middle - x(first)).low >= tops[run])
+      if (tops[run] <= lowest || tops[run] <= lowestIn(x(first), x(last), cy))
         continue;
       for (int column = std::max(c0, first); column <= std::min(c1, last); ++column)
         cutCell(line[column], x(column), cy);

@@ -83,7 +83,10 @@ private:
 /// The best nodes for the points of a tile.
 class PerfectPass::TileSearch {
 public:
-  TileSearch(const RestGrid& grid, const Tool& tool) : grid_(grid), tool_(tool) {}
+  TileSearch(const RestGrid& grid, const Tool& tool)
+      : grid_(grid), tool_(tool), cutter_(tool.profile())
+  {
+  }
 
   void search(const Tile& tile)
   {
@@ -101,7 +104,7 @@ public:
         Best& best = best_[i];
         if (bound < best.height) {
           const double dx = x - p.x, dy = y - p.y;
-          const double h = tip + tool_.profile(std::sqrt(dx * dx + dy * dy));
+          const double h = tip + cutter_.height(std::sqrt(dx * dx + dy * dy));
           if (h < best.height)
             best = {h, x, y};
         }
@@ -128,14 +131,15 @@ private:
           continue;
         const std::size_t node = grid_.index(column, row);
         const double tip = grid_.tip(node);
-        candidates_.add(tip + tool_.profile(std::max(0.0, away)) - 1e-9, node);
-        roof = std::min(roof, tip + tool_.profile(away + 2 * tile.radius + 2e-9));
+        candidates_.add(tip + cutter_.height(std::max(0.0, away)) - 1e-9, node);
+        roof = std::min(roof, tip + cutter_.height(away + 2 * tile.radius + 2e-9));
       }
     candidates_.order(roof);
   }
 
   const RestGrid& grid_;
   const Tool& tool_;
+  const CutterProfile cutter_;
   Candidates candidates_;
   std::vector<Best> best_;
 };
@@ -146,8 +150,8 @@ private:
 class PerfectPass::Refinement {
 public:
   Refinement(const PerfectPass& pass, double close)
-      : part_(pass.part_), grid_(*pass.grid_), tool_(pass.tool_), floor_(pass.floor_),
-        close_(close)
+      : part_(pass.part_), grid_(*pass.grid_), tool_(pass.tool_),
+        cutter_(tool_.profile()), floor_(pass.floor_), close_(close)
   {
   }
 
@@ -161,7 +165,7 @@ public:
         break;
       const Contact contact = part_.drop(tool_, guess.x, guess.y);
       const double d = std::hypot(guess.x - p.x, guess.y - p.y);
-      const double h = std::max(floor_, contact.tip) + tool_.profile(d);
+      const double h = std::max(floor_, contact.tip) + cutter_.height(d);
       if (h < best.height)
         best = {h, guess.x, guess.y};
       if (h < guess.height + kSettled)
@@ -203,9 +207,9 @@ private:
     for (const auto& q : rests_) {
       const double q2 = (x - q.x()) * (x - q.x()) + (y - q.y()) * (y - q.y());
       if (q2 <= tool_.radius() * tool_.radius())
-        tip = std::max(tip, q.z() - tool_.profile(std::sqrt(q2)));
+        tip = std::max(tip, q.z() - cutter_.height(std::sqrt(q2)));
     }
-    return tip + tool_.profile(std::sqrt(d2));
+    return tip + cutter_.height(std::sqrt(d2));
   }
 
   /// From `from` in ever smaller steps, not farther than a cell: there are other rests.
@@ -236,6 +240,7 @@ private:
   const PointIndex& part_;
   const RestGrid& grid_;
   const Tool& tool_;
+  const CutterProfile cutter_;
   double floor_, close_;
   std::vector<Eigen::Vector3d> rests_;
   std::vector<std::uint32_t> seen_;

@@ -2,11 +2,11 @@
 // Copyright (c) 2026, the PointMill authors
 #include "candidates.h"
 #include "moves.h"
+#include "sweep_range.h"
 #include "tiles.h"
 
 #include <pointmill/common/parallel.h>
 #include <pointmill/surface/sweep.h>
-#include <pointmill/surface/sweep_range.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the PointMill authors
-#include <pointmill/surface/sweep_range.h>
+#include "sweep_range.h"
 
 #include <algorithm>
 #include <cmath>
