@@ -77,14 +77,9 @@ public:
   {
     value_.startAt(at);
     if (hunt_.startAt(at.x(), at.y(), value_)) {
-      double lean = offset_.norm();
-      if (last_ >= 0)
-        value_.ask(static_cast<std::size_t>(last_));
-      if (!value_.touches()) {
-        hunt_.seed(underside_.touching(0));
-        lean = hunt_.guess();
-      }
-      hunt_.all(underside_.touching(lean));
+      if (touched())
+        value_.ask(point());
+      hunt_.all(value_.touches() ? under() : hunt_.seed(underside_));
     }
     return keep(value_, at);
   }

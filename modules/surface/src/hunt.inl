@@ -21,7 +21,7 @@ public:
     while (top_level_ + 1 < pyramid_.levels() &&
            HeightPyramid::kSide * pyramid_.level(top_level_).size < wanted)
       ++top_level_;
-    for (int k = 0; k <= top_level_; ++k)
+    for (int k = 0; k <= top_level_ + 1 && k < pyramid_.levels(); ++k)
       reach2_[k] = sieve_.reach2(pyramid_.level(k).size);
     largest_ = pyramid_.level(top_level_).size;
     per_block_ = 1 / (HeightPyramid::kSide * largest_);
@@ -53,28 +53,25 @@ public:
   /// From another height, to one that is higher by dz.
   void tilt(double az, double dz) { sieve_.tilt(az, dz); }
 
-  /// Follows the most promising nodes only, down to one cell, and asks its points.
-  void seed(const Paraboloid& under)
+  /// Looks for a good point first, and leans the cutter's paraboloid to where it is.
+  Paraboloid seed(const CutterUnderside& underside)
   {
-    sieve_.lean(under, highest(), largest_);
-    sieve_.demand(-std::numeric_limits<double>::infinity());
-    Node best = none();
-    for (int j = j0_; j <= j1_; ++j)
-      for (int i = i0_; i <= i1_; ++i)
-        best = better(best, bestOf(top_level_, i, j));
-    for (int level = top_level_; level > 0 && best.level >= 0; --level)
-      best = bestOf(level - 1, best.i, best.j);
-    if (best.level < 0)
-      return;
-    guess_ = sieve_.axisDistance(frame_.x0 + (best.i + 0.5) * frame_.cell,
-                                 frame_.y0 + (best.j + 0.5) * frame_.cell);
-    const std::size_t cell = static_cast<std::size_t>(best.j) * frame_.columns + best.i;
-    for (std::size_t p = points_.start[cell]; p < points_.start[cell + 1]; ++p)
-      taker_->ask(p);
+    // The contact is where the cutter slopes as the ground does.
+    const Move& move = sieve_.move();
+    const Eigen::Vector2d middle(move.ax + 0.5 * move.dx, move.ay + 0.5 * move.dy);
+    Eigen::Vector2d offset(0, 0);
+    for (int round = 0; round < 3; ++round) {
+      const Eigen::Vector2d slope = slopeAt(middle + offset);
+      const double steep = slope.norm();
+      offset = slope * (steep > 0 ? underside.radiusAt(steep) / steep : 0.0);
+    }
+    const Paraboloid under = underside.touching(offset.norm());
+    start(under);
+    askHighest(middle + offset);
+    if (!(taker_->best() > -kInfinity))
+      descend();
+    return under;
   }
-
-  /// How far from the axis the seed found the highest cell.
-  double guess() const { return guess_; }
 
   /// All points that can have more than taker.best().
   void all(const Paraboloid& under)
@@ -98,6 +95,50 @@ private:
     float bound;
     int level, i, j; // level -1: none
   };
+
+  void start(const Paraboloid& under)
+  {
+    sieve_.lean(under, highest(), largest_);
+    sieve_.demand(-kInfinity);
+  }
+
+  Eigen::Vector2d slopeAt(const Eigen::Vector2d& at) const
+  {
+    const auto& tiles = pyramid_.level(1);
+    const std::size_t tile = tiles.node(frame_.column(at.x()) / HeightPyramid::kSide,
+                                        frame_.row(at.y()) / HeightPyramid::kSide);
+    return {tiles.slope_x[tile], tiles.slope_y[tile]};
+  }
+
+  void askHighest(const Eigen::Vector2d& at)
+  {
+    const std::size_t first =
+        points_.start[static_cast<std::size_t>(frame_.row(at.y())) * frame_.columns +
+                      frame_.column(at.x())];
+    const int k =
+        sieve_.highest(&points_.x[first], &points_.y[first], &points_.z[first]);
+    if (k >= 0)
+      taker_->ask(first + static_cast<std::size_t>(k));
+  }
+
+  /// Follows the most promising nodes only, down to one cell.
+  void descend()
+  {
+    // From a level higher up: fewer blocks, and here no node needs to be excluded.
+    const int up = top_level_ + 1 < pyramid_.levels() ? 2 : 0; // 4 x 4 as a shift
+    int level = top_level_ + up / 2;
+    Node best = none();
+    for (int j = j0_ >> up; j <= j1_ >> up; ++j)
+      for (int i = i0_ >> up; i <= i1_ >> up; ++i)
+        best = better(best, bestOf(level, i, j));
+    for (; level > 0 && best.level >= 0; --level) {
+      sieve_.demand(-kInfinity);
+      best = bestOf(level - 1, best.i, best.j);
+    }
+    if (best.level >= 0)
+      askHighest({frame_.x0 + (best.i + 0.5) * frame_.cell,
+                  frame_.y0 + (best.j + 0.5) * frame_.cell});
+  }
 
   static constexpr double kBlock = 0.6;
   static constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -143,12 +184,15 @@ private:
             HeightPyramid::kSide * j + k / HeightPyramid::kSide};
   }
 
-  Node bestOf(int level, int i, int j) const
+  /// The highest of a block, if it is higher than the last one.
+  Node bestOf(int level, int i, int j)
   {
     alignas(64) float bound[HeightPyramid::kNodes];
     Node best = none();
     for (unsigned mask = boundsOf(level, i, j, bound); mask; mask &= mask - 1)
       best = better(best, nodeOf(level, i, j, __builtin_ctz(mask), bound));
+    if (best.level >= 0)
+      sieve_.demandOfNodes(best.bound);
     return best;
   }
 
@@ -232,7 +276,6 @@ private:
   double low_x_, high_x_, low_y_, high_y_, largest_, per_block_;
   int top_level_ = 0, i0_ = 0, i1_ = 0, j0_ = 0, j1_ = 0;
   float reach2_[kMostLevels];
-  double guess_ = 0;
   int depth_ = 0;
   Node stack_[kMostLevels * HeightPyramid::kNodes];
 };

@@ -101,18 +101,8 @@ public:
     limit_node_ = atLeast(static_cast<float>(over - room - room_node_));
   }
 
-  /// From (x, y) to the axis where it passes lowest.
-  double axisDistance(double x, double y) const
-  {
-    double u = x - move_.ax, v = y - move_.ay;
-    if (kMoves) {
-      const double t =
-          std::clamp((u * move_.dx + v * move_.dy) * per_length2_ - lag_, 0.0, 1.0);
-      u -= t * move_.dx;
-      v -= t * move_.dy;
-    }
-    return std::sqrt(u * u + v * v);
-  }
+  /// Only nodes with bounds of at least @p bound.
+  void demandOfNodes(float bound) { limit_node_ = bound; }
 
   bool flat() const { return flat_; }
   float limit() const { return limit_node_; }
