@@ -3,8 +3,27 @@
 //
 // Part of search.cpp: down the pyramid.
 
+/// About where the cutter with its axis at @p axis touches the ground, from the axis:
+/// the place where it slopes as the ground does, taken from where it was thought to be.
+inline Eigen::Vector2d contactFrom(const HeightPyramid& pyramid,
+                                   const CellFrame& frame,
+                                   const CutterUnderside& underside,
+                                   const Eigen::Vector2d& axis,
+                                   const Eigen::Vector2d& offset)
+{
+  const auto& tiles = pyramid.level(1);
+  const std::size_t tile =
+      tiles.node(frame.column(axis.x() + offset.x()) / HeightPyramid::kSide,
+                 frame.row(axis.y() + offset.y()) / HeightPyramid::kSide);
+  const Eigen::Vector2d slope(tiles.slope_x[tile], tiles.slope_y[tile]);
+  const double steep = slope.norm();
+  if (!(steep > 0))
+    return {0, 0};
+  return slope * (underside.radiusAt(steep) / steep);
+}
+
 /// Goes down the pyramid, the most promising node of a block first, and gives the taker
-/// the runs of points that can have more than taker.best(), which may rise by that.
+/// the runs of points whose values can be taker.best() or more, which may rise by that.
 /// Serves any number of equal moves, one after the other.
 template <bool kMoves, typename Taker>
 class Hunt {
@@ -53,27 +72,24 @@ public:
   /// From another height, to one that is higher by dz.
   void tilt(double az, double dz) { sieve_.tilt(az, dz); }
 
-  /// Looks for a good point first, and leans the cutter's paraboloid to where it is.
+  /// Asks a good point first, and returns a paraboloid that touches the cutter there.
   Paraboloid seed(const CutterUnderside& underside)
   {
-    // The contact is where the cutter slopes as the ground does.
     const Move& move = sieve_.move();
     const Eigen::Vector2d middle(move.ax + 0.5 * move.dx, move.ay + 0.5 * move.dy);
     Eigen::Vector2d offset(0, 0);
-    for (int round = 0; round < 3; ++round) {
-      const Eigen::Vector2d slope = slopeAt(middle + offset);
-      const double steep = slope.norm();
-      offset = slope * (steep > 0 ? underside.radiusAt(steep) / steep : 0.0);
-    }
+    for (int round = 0; round < 3; ++round)
+      offset = contactFrom(pyramid_, frame_, underside, middle, offset);
     const Paraboloid under = underside.touching(offset.norm());
-    start(under);
+    sieve_.lean(under, highest(), largest_);
+    sieve_.demand(-kInfinity);
     askHighest(middle + offset);
     if (!(taker_->best() > -kInfinity))
       descend();
     return under;
   }
 
-  /// All points that can have more than taker.best().
+  /// All points whose values can be taker.best() or more.
   void all(const Paraboloid& under)
   {
     const double best = taker_->best();
@@ -95,20 +111,6 @@ private:
     float bound;
     int level, i, j; // level -1: none
   };
-
-  void start(const Paraboloid& under)
-  {
-    sieve_.lean(under, highest(), largest_);
-    sieve_.demand(-kInfinity);
-  }
-
-  Eigen::Vector2d slopeAt(const Eigen::Vector2d& at) const
-  {
-    const auto& tiles = pyramid_.level(1);
-    const std::size_t tile = tiles.node(frame_.column(at.x()) / HeightPyramid::kSide,
-                                        frame_.row(at.y()) / HeightPyramid::kSide);
-    return {tiles.slope_x[tile], tiles.slope_y[tile]};
-  }
 
   void askHighest(const Eigen::Vector2d& at)
   {
@@ -226,15 +228,15 @@ private:
                : node.bound >= sieve_.limit();
   }
 
-  /// Puts the nodes of a block that matter on the stack, the best on top, or asks the
-  /// points of its cells.
+  /// Puts the nodes of a block that matter on the stack, the best on top; the points of
+  /// cells go to the taker.
   void open(int level, int i, int j)
   {
     alignas(64) float bound[HeightPyramid::kNodes];
     unsigned mask = boundsOf(level, i, j, bound);
     if (level == 0) {
       if (mask)
-        look(i, j, mask, bound);
+        takeCells(i, j, mask, bound);
       return;
     }
     int best = depth_;
@@ -248,7 +250,7 @@ private:
       std::swap(stack_[best], stack_[depth_ - 1]);
   }
 
-  void look(int i, int j, unsigned mask, const float* bound)
+  void takeCells(int i, int j, unsigned mask, const float* bound)
   {
     if (sieve_.flat())
       for (unsigned rest = mask; rest; rest &= rest - 1) {
