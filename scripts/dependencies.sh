@@ -16,7 +16,7 @@ packages_of() {
     test)  echo libgtest-dev linuxcnc-uspace ;; # for its interpreter, rs274
     check) echo clang-format-14 ;;
     tidy)  echo clang clang-tidy ;;
-    bench) echo libbenchmark-dev ;;
+    bench) echo libbenchmark-dev python3-minimal ;;
     *) echo "dependencies.sh: no set $1 (build, test, check, tidy, bench)" >&2; return 1 ;;
   esac
 }

@@ -94,7 +94,7 @@ TEST(Search, EveryInstructionSetGivesTheSameBits)
     }
 }
 
-TEST(Search, FindsTheDeepestGougeOfSlantedMoves)
+TEST(Search, FindsTheDeepestGougeOfSlantedMovesAndPlunges)
 {
   const Ground ground(20000);
   const pointmill::SearchSpace space{ground.points, *ground.pyramid};
@@ -103,7 +103,7 @@ TEST(Search, FindsTheDeepestGougeOfSlantedMoves)
   for (const Tool& tool : kTools)
     for (int i = 0; i < 30; ++i) {
       const Vector2d from(random.uniform(0, kSize), random.uniform(0, kSize));
-      const double length = i % 3 ? 0.2 : 3.0;
+      const double length = i % 5 == 0 ? 0.0 : i % 3 ? 0.2 : 3.0; // some plunge
       const Vector2d to = from + length * Vector2d(random.normal(), random.normal());
       // near where the tool rests, so that the little that is inside counts
       std::vector<Contact> ends(2);

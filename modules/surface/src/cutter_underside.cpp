@@ -55,6 +55,14 @@ Paraboloid SampledUnderside::touching(double r) const
   return under;
 }
 
+double SampledUnderside::radiusAt(double slope) const
+{
+  int k = 0;
+  while (k < kKnots && profile_[k + 1] - profile_[k] < slope * (knot(k + 1) - knot(k)))
+    ++k;
+  return knot(k);
+}
+
 CutterUnderside::CutterUnderside(const Tool& tool)
     : corner_(tool.corner_radius), flat_(tool.radius() - corner_),
       bend_of_tip_(flat_ <= 0 && corner_ > 0 ? 0.5 / corner_ : 0.0),

@@ -27,6 +27,9 @@ public:
   /// it.
   Paraboloid touching(double r) const;
 
+  /// About where the cutter is as steep as @p slope.
+  double radiusAt(double slope) const;
+
 private:
   static constexpr int kKnots = 32;
   double knot(int k) const { return std::min(radius_, radius_ * k / kKnots); }
@@ -47,6 +50,13 @@ public:
   Paraboloid touching(double r) const
   {
     return rounded_ ? tangent(r) : sampled_.touching(r);
+  }
+
+  /// About where the cutter is as steep as @p slope.
+  double radiusAt(double slope) const
+  {
+    return rounded_ ? flat_ + corner_ * slope / std::sqrt(1 + slope * slope)
+                    : sampled_.radiusAt(slope);
   }
 
 private:

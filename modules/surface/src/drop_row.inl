@@ -64,28 +64,20 @@ private:
   std::uint32_t point_[kMost + kLanes];
 };
 
-/// Drops a cutter, and remembers where it came to rest: near there it will rest again.
+/// Drops a cutter, and remembers how it came to rest.
 class Drops {
 public:
   Drops(const SearchSpace& space, const Tool& tool)
-      : cutter_(tool), underside_(tool), value_(space.points, cutter_),
-        hunt_(space, {}, tool.radius())
+      : pyramid_(space.pyramid), points_(space.points), cutter_(tool), underside_(tool),
+        value_(space.points, cutter_), hunt_(space, {}, tool.radius())
   {
   }
 
   Contact drop(const Eigen::Vector2d& at)
   {
     value_.startAt(at);
-    if (hunt_.startAt(at.x(), at.y(), value_)) {
-      double lean = offset_.norm();
-      if (last_ >= 0)
-        value_.ask(static_cast<std::size_t>(last_));
-      if (!value_.touches()) {
-        hunt_.seed(underside_.touching(0));
-        lean = hunt_.guess();
-      }
-      hunt_.all(underside_.touching(lean));
-    }
+    if (hunt_.startAt(at.x(), at.y(), value_))
+      hunt_.all(hunt_.seed(underside_));
     return keep(value_, at);
   }
 
@@ -103,13 +95,17 @@ public:
   bool touched() const { return last_ >= 0; }
   std::size_t point() const { return static_cast<std::size_t>(last_); }
   double tip() const { return tip_; }
-  const Eigen::Vector2d& offset() const { return offset_; } ///< of the contact
-  /// Close to the cutter where it touched.
-  Paraboloid under() const { return underside_.touching(offset_.norm()); }
+  const CutterUnderside& underside() const { return underside_; }
+  Eigen::Vector2d contactOffset(const Eigen::Vector2d& at) const
+  {
+    return contactFrom(pyramid_, points_.frame, underside_, at, offset_);
+  }
 
   const Cutter& cutter() const { return cutter_; }
 
 private:
+  const HeightPyramid& pyramid_;
+  const SortedPoints& points_;
   Cutter cutter_;
   CutterUnderside underside_;
   Exactly<DropValue> value_;
@@ -124,7 +120,7 @@ private:
 /// heights that are known to be reached.
 class Stretches {
 public:
-  static constexpr int kPlaces = 6; ///< of a stretch
+  static constexpr int kPlaces = 8; ///< of a stretch
 
   Stretches(const SearchSpace& space,
             const Tool& tool,
@@ -151,7 +147,8 @@ public:
   /// ground is too rough to do it at once.
   bool drop(std::size_t i, Contact* contacts)
   {
-    const Paraboloid under = drops_.under();
+    offset_ = drops_.contactOffset(place(i + kPlaces / 2));
+    const Paraboloid under = drops_.underside().touching(offset_.norm());
     sieve_.lean(under, drops_.tip(), 0);
     if (sieve_.flat())
       return false;
@@ -195,7 +192,7 @@ private:
   bool glance(const Eigen::Vector2d& at, DropValue& value)
   {
     const CellFrame& frame = points_.frame;
-    const Eigen::Vector2d there = at + drops_.offset();
+    const Eigen::Vector2d there = at + offset_;
     const std::size_t first =
         points_.start[static_cast<std::size_t>(frame.row(there.y())) * frame.columns +
                       frame.column(there.x())];
@@ -211,6 +208,7 @@ private:
   Eigen::Vector2d from_, step_;
   Drops& drops_;
   double deepest_;
+  Eigen::Vector2d offset_{0, 0}; // of the contact from the axis, about
   std::vector<DropValue> values_;
   Hunt<true, Nearby> hunt_;
   Sieve<false> sieve_;

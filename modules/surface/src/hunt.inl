@@ -3,8 +3,27 @@
 //
 // Part of search.cpp: down the pyramid.
 
+/// About where the cutter with its axis at @p axis touches the ground, from the axis:
+/// the place where it slopes as the ground does, taken from where it was thought to be.
+inline Eigen::Vector2d contactFrom(const HeightPyramid& pyramid,
+                                   const CellFrame& frame,
+                                   const CutterUnderside& underside,
+                                   const Eigen::Vector2d& axis,
+                                   const Eigen::Vector2d& offset)
+{
+  const auto& tiles = pyramid.level(1);
+  const std::size_t tile =
+      tiles.node(frame.column(axis.x() + offset.x()) / HeightPyramid::kSide,
+                 frame.row(axis.y() + offset.y()) / HeightPyramid::kSide);
+  const Eigen::Vector2d slope(tiles.slope_x[tile], tiles.slope_y[tile]);
+  const double steep = slope.norm();
+  if (!(steep > 0))
+    return {0, 0};
+  return slope * (underside.radiusAt(steep) / steep);
+}
+
 /// Goes down the pyramid, the most promising node of a block first, and gives the taker
-/// the runs of points that can have more than taker.best(), which may rise by that.
+/// the runs of points whose values can be taker.best() or more, which may rise by that.
 /// Serves any number of equal moves, one after the other.
 template <bool kMoves, typename Taker>
 class Hunt {
@@ -21,7 +40,7 @@ public:
     while (top_level_ + 1 < pyramid_.levels() &&
            HeightPyramid::kSide * pyramid_.level(top_level_).size < wanted)
       ++top_level_;
-    for (int k = 0; k <= top_level_; ++k)
+    for (int k = 0; k <= top_level_ + 1 && k < pyramid_.levels(); ++k)
       reach2_[k] = sieve_.reach2(pyramid_.level(k).size);
     largest_ = pyramid_.level(top_level_).size;
     per_block_ = 1 / (HeightPyramid::kSide * largest_);
@@ -53,30 +72,24 @@ public:
   /// From another height, to one that is higher by dz.
   void tilt(double az, double dz) { sieve_.tilt(az, dz); }
 
-  /// Follows the most promising nodes only, down to one cell, and asks its points.
-  void seed(const Paraboloid& under)
+  /// Asks a good point first, and returns a paraboloid that touches the cutter there.
+  Paraboloid seed(const CutterUnderside& underside)
   {
+    const Move& move = sieve_.move();
+    const Eigen::Vector2d middle(move.ax + 0.5 * move.dx, move.ay + 0.5 * move.dy);
+    Eigen::Vector2d offset(0, 0);
+    for (int round = 0; round < 3; ++round)
+      offset = contactFrom(pyramid_, frame_, underside, middle, offset);
+    const Paraboloid under = underside.touching(offset.norm());
     sieve_.lean(under, highest(), largest_);
-    sieve_.demand(-std::numeric_limits<double>::infinity());
-    Node best = none();
-    for (int j = j0_; j <= j1_; ++j)
-      for (int i = i0_; i <= i1_; ++i)
-        best = better(best, bestOf(top_level_, i, j));
-    for (int level = top_level_; level > 0 && best.level >= 0; --level)
-      best = bestOf(level - 1, best.i, best.j);
-    if (best.level < 0)
-      return;
-    guess_ = sieve_.axisDistance(frame_.x0 + (best.i + 0.5) * frame_.cell,
-                                 frame_.y0 + (best.j + 0.5) * frame_.cell);
-    const std::size_t cell = static_cast<std::size_t>(best.j) * frame_.columns + best.i;
-    for (std::size_t p = points_.start[cell]; p < points_.start[cell + 1]; ++p)
-      taker_->ask(p);
+    sieve_.demand(-kInfinity);
+    askHighest(middle + offset);
+    if (!(taker_->best() > -kInfinity))
+      descend();
+    return under;
   }
 
-  /// How far from the axis the seed found the highest cell.
-  double guess() const { return guess_; }
-
-  /// All points that can have more than taker.best().
+  /// All points whose values can be taker.best() or more.
   void all(const Paraboloid& under)
   {
     const double best = taker_->best();
@@ -98,6 +111,36 @@ private:
     float bound;
     int level, i, j; // level -1: none
   };
+
+  void askHighest(const Eigen::Vector2d& at)
+  {
+    const std::size_t first =
+        points_.start[static_cast<std::size_t>(frame_.row(at.y())) * frame_.columns +
+                      frame_.column(at.x())];
+    const int k =
+        sieve_.highest(&points_.x[first], &points_.y[first], &points_.z[first]);
+    if (k >= 0)
+      taker_->ask(first + static_cast<std::size_t>(k));
+  }
+
+  /// Follows the most promising nodes only, down to one cell.
+  void descend()
+  {
+    // From a level higher up: fewer blocks, and here no node needs to be excluded.
+    const int up = top_level_ + 1 < pyramid_.levels() ? 2 : 0; // 4 x 4 as a shift
+    int level = top_level_ + up / 2;
+    Node best = none();
+    for (int j = j0_ >> up; j <= j1_ >> up; ++j)
+      for (int i = i0_ >> up; i <= i1_ >> up; ++i)
+        best = better(best, bestOf(level, i, j));
+    for (; level > 0 && best.level >= 0; --level) {
+      sieve_.demand(-kInfinity);
+      best = bestOf(level - 1, best.i, best.j);
+    }
+    if (best.level >= 0)
+      askHighest({frame_.x0 + (best.i + 0.5) * frame_.cell,
+                  frame_.y0 + (best.j + 0.5) * frame_.cell});
+  }
 
   static constexpr double kBlock = 0.6;
   static constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -143,12 +186,15 @@ private:
             HeightPyramid::kSide * j + k / HeightPyramid::kSide};
   }
 
-  Node bestOf(int level, int i, int j) const
+  /// The highest of a block, if it is higher than the last one.
+  Node bestOf(int level, int i, int j)
   {
     alignas(64) float bound[HeightPyramid::kNodes];
     Node best = none();
     for (unsigned mask = boundsOf(level, i, j, bound); mask; mask &= mask - 1)
       best = better(best, nodeOf(level, i, j, __builtin_ctz(mask), bound));
+    if (best.level >= 0)
+      sieve_.demandOfNodes(best.bound);
     return best;
   }
 
@@ -182,15 +228,15 @@ private:
                : node.bound >= sieve_.limit();
   }
 
-  /// Puts the nodes of a block that matter on the stack, the best on top, or asks the
-  /// points of its cells.
+  /// Puts the nodes of a block that matter on the stack, the best on top; the points of
+  /// cells go to the taker.
   void open(int level, int i, int j)
   {
     alignas(64) float bound[HeightPyramid::kNodes];
     unsigned mask = boundsOf(level, i, j, bound);
     if (level == 0) {
       if (mask)
-        look(i, j, mask, bound);
+        takeCells(i, j, mask, bound);
       return;
     }
     int best = depth_;
@@ -204,7 +250,7 @@ private:
       std::swap(stack_[best], stack_[depth_ - 1]);
   }
 
-  void look(int i, int j, unsigned mask, const float* bound)
+  void takeCells(int i, int j, unsigned mask, const float* bound)
   {
     if (sieve_.flat())
       for (unsigned rest = mask; rest; rest &= rest - 1) {
@@ -232,7 +278,6 @@ private:
   double low_x_, high_x_, low_y_, high_y_, largest_, per_block_;
   int top_level_ = 0, i0_ = 0, i1_ = 0, j0_ = 0, j1_ = 0;
   float reach2_[kMostLevels];
-  double guess_ = 0;
   int depth_ = 0;
   Node stack_[kMostLevels * HeightPyramid::kNodes];
 };

@@ -9,6 +9,7 @@
 #include <pointmill/surface/sorted_points.h>
 
 #include <cstddef>
+#include <vector>
 
 namespace pointmill {
 

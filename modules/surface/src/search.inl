@@ -22,8 +22,7 @@ double dropAlong(const SearchSpace& space,
   Hunt<true, Exactly<AlongValue>> hunt(space, move, tool.radius());
   if (hunt.startAt(a.x(), a.y(), value)) {
     const CutterUnderside underside(tool);
-    hunt.seed(underside.touching(0));
-    hunt.all(underside.touching(hunt.guess()));
+    hunt.all(hunt.seed(underside));
   }
   return value.best();
 }
@@ -40,8 +39,7 @@ double gouge(const SearchSpace& space,
   Hunt<true, Exactly<GougeValue>> hunt(space, move, tool.radius());
   if (hunt.startAt(a.x(), a.y(), value)) {
     const CutterUnderside underside(tool);
-    hunt.seed(underside.touching(0));
-    hunt.all(underside.touching(hunt.guess()));
+    hunt.all(hunt.seed(underside));
   }
   return value.best() > tolerance ? value.best() : 0.0;
 }

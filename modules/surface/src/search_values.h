@@ -13,9 +13,8 @@
 #include <limits>
 
 // What single points are worth to a search, in double. ask() takes a point into
-// account, mayBeat() says whether points below `top`, all at `first` or behind, can
-// change the result for a cutter whose lower surface is nowhere below the move's lowest
-// tip.
+// account; mayBeat() says whether points up to `top` high, at least `distance` from the
+// axis and all of them at `first` or behind, can change the result.
 namespace pointmill {
 
 /// Resting height on a point. Of points that give the same height, the first counts.

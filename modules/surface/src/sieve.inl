@@ -34,10 +34,12 @@ class Sieve {
 public:
   Sieve(const Move& move, double radius) : move_(move), radius_(radius)
   {
-    dx_ = static_cast<float>(move.dx);
-    dy_ = static_cast<float>(move.dy);
-    dz_ = static_cast<float>(move.dz);
-    length_ = kMoves ? std::sqrt(move.dx * move.dx + move.dy * move.dy) : 0.0;
+    length_ = std::sqrt(move.dx * move.dx + move.dy * move.dy);
+    if (length_ < kVertical)
+      length_ = move_.dx = move_.dy = 0;
+    dx_ = static_cast<float>(move_.dx);
+    dy_ = static_cast<float>(move_.dy);
+    dz_ = static_cast<float>(move_.dz);
     per_length2_ = static_cast<float>(length_ > 0 ? 1 / (length_ * length_) : 0.0);
     reach2_ = reach2(0.0);
     startAt(move.ax, move.ay);
@@ -75,9 +77,12 @@ public:
     bend_ = static_cast<float>(under.bend);
     reference_ = static_cast<float>(move_.az + base);
     offset_ = static_cast<float>(move_.az + base - reference_ + under.height);
-    lag_ = kMoves && length_ > 0
-               ? static_cast<float>(move_.dz / (2 * under.bend * length_ * length_))
-               : 0.f;
+    // The lowest pass over a place is not where the axis is nearest, but lower down; of
+    // a plunge it is the end.
+    const double lag = length_ > 0    ? move_.dz / (2 * under.bend * length_ * length_)
+                       : move_.dz < 0 ? -1.0
+                                      : 0.0;
+    lag_ = static_cast<float>(lag);
     // What the terms of a bound can add up to where it is near zero; each of the few
     // operations rounds by 2^-24 of that.
     const auto sum = [&](double far) {
@@ -101,18 +106,8 @@ public:
     limit_node_ = atLeast(static_cast<float>(over - room - room_node_));
   }
 
-  /// From (x, y) to the axis where it passes lowest.
-  double axisDistance(double x, double y) const
-  {
-    double u = x - move_.ax, v = y - move_.ay;
-    if (kMoves) {
-      const double t =
-          std::clamp((u * move_.dx + v * move_.dy) * per_length2_ - lag_, 0.0, 1.0);
-      u -= t * move_.dx;
-      v -= t * move_.dy;
-    }
-    return std::sqrt(u * u + v * v);
-  }
+  /// Only nodes with bounds of at least @p bound.
+  void demandOfNodes(float bound) { limit_node_ = bound; }
 
   bool flat() const { return flat_; }
   float limit() const { return limit_node_; }
@@ -238,6 +233,7 @@ private:
   }
 
   static constexpr double kRounding = 1.0 / (1 << 20);
+  static constexpr double kVertical = 1e-12; // no way in XY at all [mm]
 
   static float roundDown(double v)
   {
