@@ -228,19 +228,22 @@ void oneByOne(benchmark::State& state,
 {
   const auto cloud = cloudOf(surface, count);
   double drop_seconds = 1e300, index_seconds = 1e300;
+  std::vector<Eigen::Vector2d> at;
   std::vector<double> tips, truth;
+  for (std::size_t k = 0; k < places; ++k) {
+    const std::size_t i = k * 104729 % kPlaces; // a prime number
+    at.emplace_back(bench::placeX(int(i % bench::kColumns)),
+                    bench::placeY(int(i / bench::kColumns)));
+    truth.push_back(surface.tip(at.back().x(), at.back().y()));
+  }
   peakMemory();
   for (auto _ : state) {
-    tips.clear(), truth.clear();
+    tips.clear();
     const double start = now();
     Route route(cloud);
     const double built = now();
-    for (std::size_t k = 0; k < places; ++k) {
-      const std::size_t i = k * 7919 * kPlaces / places % kPlaces;
-      const int row = int(i / bench::kColumns), column = int(i % bench::kColumns);
-      tips.push_back(route.drop(bench::placeX(column), bench::placeY(row)));
-      truth.push_back(surface.tip(bench::placeX(column), bench::placeY(row)));
-    }
+    for (const auto& p : at)
+      tips.push_back(route.drop(p.x(), p.y()));
     const double done = now();
     index_seconds = std::min(index_seconds, built - start);
     drop_seconds =

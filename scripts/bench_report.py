@@ -52,7 +52,9 @@ def number(value):
     """Three digits at most, no exponent."""
     if value >= 100:
         return f"{value:,.0f}"
-    return f"{value:.{max(0, 2 - math.floor(math.log10(value)))}f}" if value > 0 else "0"
+    if value < 1e-6:
+        return "-"
+    return f"{value:.{max(0, 2 - math.floor(math.log10(value)))}f}"
 
 
 def table(best):
