@@ -87,6 +87,8 @@ CLCloud MillJob::rasterPasses(const ToolJob& job,
   CLSurface<pcl::PointXYZ> raster;
   raster.setTool(job.tool);
   raster.setScallop(scallop);
+  // Rows nearer to each other would be on walls, where a raster across does better.
+  raster.setMinStepOver(raster.getStepOver() / 4);
   raster.setForwardStep(job.tool.endDiameter() / 6);
   raster.setAllowance(job.allowance);
   raster.setFloor(floor_);
