@@ -2,19 +2,11 @@
 // Copyright (c) 2026, the PointMill authors
 #include "cutter_underside.h"
 
+#include "cutter.h"
+
 #include <limits>
 
 namespace pointmill {
-namespace {
-
-// At the rim the root turns rounding by 1e-16 into 1e-8.
-bool near(double a, double b, const Tool& tool)
-{
-  return std::abs(a - b) <= 1e-6 * tool.radius();
-}
-
-} // namespace
-
 SampledUnderside::SampledUnderside(double radius,
                                    const std::function<double(double)>& profile)
     : radius_(radius)
@@ -65,12 +57,16 @@ double SampledUnderside::radiusAt(double slope) const
 
 CutterUnderside::CutterUnderside(const Tool& tool)
     : corner_(tool.corner_radius), flat_(tool.radius() - corner_),
-      bend_of_tip_(flat_ <= 0 && corner_ > 0 ? 0.5 / corner_ : 0.0),
-      rounded_(near(tool.profile(std::max(0.0, flat_)), 0.0, tool) &&
-               near(tool.profile(tool.radius()), corner_, tool))
+      bend_of_tip_(flat_ <= 0 && corner_ > 0 ? 0.5 / corner_ : 0.0)
 {
+  const Cutter cutter(tool);
+  // At the rim the root turns rounding by 1e-16 into 1e-8.
+  const auto is = [&](double r, double height) {
+    return std::abs(cutter.profile(r) - height) <= 1e-6 * cutter.radius();
+  };
+  rounded_ = is(std::max(0.0, flat_), 0.0) && is(cutter.radius(), corner_);
   if (!rounded_)
-    sampled_ = {tool.radius(), [&](double r) { return tool.profile(r); }};
+    sampled_ = {cutter.radius(), [&](double r) { return cutter.profile(r); }};
 }
 
 } // namespace pointmill
