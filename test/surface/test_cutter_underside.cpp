@@ -51,6 +51,21 @@ TEST(CutterUnderside, IsNowhereAboveTheCutterAndTouchesIt)
   }
 }
 
+TEST(CutterUnderside, OfATaperedToolIsNowhereAboveIt)
+{
+  for (const Tool& tool : {Tool::taperBall(1, 1.0, 5.0, 6.0),
+                           Tool::taperBull(2, 3.0, 0.5, 10.0, 8.0),
+                           Tool::cone(3, 45.0, 4.0),
+                           Tool::cone(4, 15.0, 3.0, 0.2).grown(0.2)})
+    for (double share : {0.0, 0.1, 0.3, 0.6, 0.9, 1.0})
+      expectUnder(
+          CutterUnderside(tool).touching(share * tool.radius()),
+          tool.radius(),
+          [&](double d) { return tool.profile(d); },
+          share * tool.radius(),
+          tool.profile(tool.radius()));
+}
+
 TEST(CutterUnderside, OfAnyConvexProfileIsNowhereAboveIt)
 {
   const double radius = 3;

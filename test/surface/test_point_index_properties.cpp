@@ -113,7 +113,9 @@ const std::vector<Tool> kTools{Tool::flat(1, 4.0),
                                Tool::bull(3, 5.0, 1.0),
                                Tool::ball(4, 0.4),
                                Tool::ball(5, 30.0),
-                               Tool::flat(6, 60.0)};
+                               Tool::flat(6, 60.0),
+                               Tool::taperBall(7, 1.0, 5.0, 6.0),
+                               Tool::cone(8, 45.0, 4.0)};
 
 /// Places over and around the points, many of them special ones.
 Vector2d somewhere(const PointIndex& index, Random& random)

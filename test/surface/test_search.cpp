@@ -55,7 +55,10 @@ const std::vector<Tool> kTools{Tool::flat(1, 4.0),
                                Tool::ball(2, 3.0),
                                Tool::bull(3, 5.0, 1.0),
                                Tool::ball(4, 0.3),
-                               Tool::bull(5, 20.0, 3.0)};
+                               Tool::bull(5, 20.0, 3.0),
+                               Tool::taperBall(6, 1.0, 5.0, 6.0),
+                               Tool::taperBull(7, 3.0, 0.5, 10.0, 8.0),
+                               Tool::cone(8, 15.0, 3.0, 0.2).grown(0.2)};
 
 } // namespace
 

@@ -15,7 +15,7 @@ namespace pointmill {
 class Cutter {
 public:
   explicit Cutter(const Tool& tool)
-      : tool_(tool), radius_(tool.radius()), radius2_(radius_ * radius_),
+      : profile_(tool.profile()), radius_(tool.radius()), radius2_(radius_ * radius_),
         ball_(tool.isBall())
   {
   }
@@ -28,7 +28,7 @@ public:
   double profile2(double distance2) const
   {
     return ball_ ? radius_ - std::sqrt(radius2_ - distance2)
-                 : tool_.profile(std::min(std::sqrt(distance2), radius_));
+                 : profile_.height(std::min(std::sqrt(distance2), radius_));
   }
   /// The same at a distance; beyond the rim, that of the rim.
   double profile(double distance) const
@@ -41,11 +41,11 @@ public:
                      const Eigen::Vector3d& b,
                      const Eigen::Vector3d& p) const
   {
-    return pointmill::penetration(tool_, a, b, p);
+    return pointmill::penetration(profile_, a, b, p);
   }
 
 private:
-  Tool tool_;
+  CutterProfile profile_;
   double radius_, radius2_;
   bool ball_;
 };
