@@ -84,7 +84,7 @@ private:
   {
     const double length = (to - from).norm();
     const int pieces =
-        std::max(1, static_cast<int>(std::ceil(length / tool_.radius())));
+        std::max(1, static_cast<int>(std::ceil(length / tool_.diameter)));
     double thickest = 0;
     Vector3d at = from;
     for (int i = 1; i <= pieces; ++i) {

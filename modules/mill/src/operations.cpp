@@ -110,13 +110,16 @@ CLCloud MillJob::rasterPasses(const ToolJob& job,
   buffer.setTool(job.tool);
   buffer.setAllowance(job.allowance);
   buffer.setFloor(floor_);
-  buffer.setTolerance(ToleranceBand{chord, chord / 2}); // simplifying adds to this
+  // Over sparse points chords would cut into every one that they may: little of the
+  // tolerance is for that. Outside, simplifying adds to what is left here.
+  const ToleranceBand band{chord / 3, chord / 2};
+  buffer.setTolerance(band);
   buffer.setNumberOfThreads(options_.threads);
 
   SimplifyPath simplify;
   simplify.setPart(surface_, job.allowance);
   simplify.setTool(job.tool);
-  simplify.setTolerance({chord, chord / 2});
+  simplify.setTolerance(band);
   simplify.setNumberOfThreads(options_.threads);
 
   CLCloud::Ptr rows(new CLCloud);

@@ -77,6 +77,7 @@ Json surfaceJson(const MillJob& job)
   const MillOptions& o = job.options();
   const double spacing = job.scanFigures().spacing.p99;
   Json json = {{"model", surface.smooth ? "smooth" : "points"},
+               {"noise_kept", surface.noise_kept},
                {"noise_left_mm", surface.noise_left},
                {"points_moved_at_most_mm", surface.farthest}};
   for (const auto& [name, value] : surface.smoothing.figures())

@@ -49,6 +49,9 @@ std::string surfaceLine(const MillJob& job)
                   "more than %.3f mm",
                   surface.noise_left,
                   surface.farthest);
+  if (surface.noise_kept)
+    text += "; the noise stays, as the points are too few to tell it from form "
+            "(--surface smooth takes it off all the same)";
   return text + "\n";
 }
 

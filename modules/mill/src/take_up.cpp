@@ -28,6 +28,8 @@ constexpr std::size_t kMostSamples = 6'000'000;
 constexpr double kLittle = 0.1;
 /// What smoothing aims to leave of the noise, as a share of the tolerance.
 constexpr double kNoiseLeft = 0.15;
+/// Smoothing raises no point by more than this share of the tolerance.
+constexpr double kMostRaised = 0.8;
 constexpr double kFewestNeighbours = 24, kMostNeighbours = 120;
 /// Points may lie this share of the tolerance off a patch of the smooth surface.
 constexpr double kFidelity = 0.25;
@@ -157,11 +159,17 @@ void MillJob::makeSurface()
                       "on as it is");
     clean_ = part_;
     clean_points_ = points_;
-    if (!figures_.smooth || !noisy)
+    // Few points can only be smoothed over more ground than the tool's end covers, and
+    // its form would go with their noise; nor do they hold the tool up on their peaks.
+    const double fewest = std::sqrt(kFewestNeighbours / M_PI) * scan_.spacing.median;
+    const bool dense = fewest <= last.tipRadius();
+    figures_.noise_kept = noisy && !dense && options_.surface == SurfaceChoice::Auto;
+    if (!figures_.smooth || !noisy || figures_.noise_kept)
       return;
     const double ratio = figures_.noise / (kNoiseLeft * options_.tolerance);
     PointSmoother<pcl::PointXYZ> smoother;
     smoother.setNoise(figures_.noise);
+    smoother.setMostRaised(kMostRaised * options_.tolerance);
     smoother.setNeighbours(static_cast<int>(
         std::clamp(4 * ratio * ratio, kFewestNeighbours, kMostNeighbours)));
     smoother.setNumberOfThreads(options_.threads);
@@ -216,8 +224,7 @@ void MillJob::makeMap()
     bridges_ = kept.empty() ? nullptr : std::make_shared<PointIndex>(indexOf(kept));
     if (figures_.smooth) {
       SmoothSurface smooth;
-      smooth.fidelity =
-          std::max(kFidelity * options_.tolerance, 1.5 * figures_.noise_left);
+      smooth.fidelity = kFidelity * options_.tolerance;
       model_ = std::make_shared<SurfaceModel>(with(across), smooth);
     }
     else

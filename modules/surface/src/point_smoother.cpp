@@ -43,12 +43,13 @@ bool withoutStrays(const Neighbourhood& near,
   return strays > 0 && double(strays) <= kMostStrays * double(near.size());
 }
 
-Smoothed onto(const Patch& patch, Smoothed::How how, double farthest)
+Smoothed onto(const Patch& patch, Smoothed::How how, const MostMoved& most)
 {
   const double along = patch.height(0, 0);
+  const double allowed = std::clamp(along, -most.down, most.up);
   Smoothed s;
-  s.held = std::abs(along) > farthest;
-  s.place = patch.origin() + std::clamp(along, -farthest, farthest) * patch.normal();
+  s.held = allowed != along;
+  s.place = patch.origin() + allowed * patch.normal();
   s.variance = patch.variance();
   s.how = how;
   return s;
@@ -87,7 +88,7 @@ Smoothed smoothPoint(const PointIndex& points,
                      const Eigen::Vector3d& point,
                      double noise,
                      int neighbours,
-                     double farthest)
+                     const MostMoved& most)
 {
   static thread_local Neighbourhood near;
   static thread_local std::vector<unsigned char> keep;
@@ -103,18 +104,18 @@ Smoothed smoothPoint(const PointIndex& points,
         !patch.fit(near, patch.normal(), &keep))
       break;
     if (patch.residual() <= fits && patch.variance() < 1)
-      return onto(patch, Smoothed::How::Surface, farthest);
+      return onto(patch, Smoothed::How::Surface, most);
     patches.push_back(patch);
   }
   near.gather(points, point, static_cast<std::size_t>(neighbours));
   Patch side;
   if (fitOneSide(near, fits, side))
-    return onto(side, Smoothed::How::Edge, farthest);
+    return onto(side, Smoothed::How::Edge, most);
   // No edge: the scan is noisier here, if wide fits are no worse than the narrowest.
   if (!patches.empty() && patches.back().residual() <= kNoisier * noise)
     for (const auto& patch : patches)
       if (patch.residual() <= kFits * patches.back().residual() && patch.variance() < 1)
-        return onto(patch, Smoothed::How::Surface, farthest);
+        return onto(patch, Smoothed::How::Surface, most);
   return {point};
 }
 

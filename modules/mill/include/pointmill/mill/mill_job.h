@@ -38,10 +38,11 @@ struct ScanFigures {
 /// @brief What was made of the scan's points.
 struct SurfaceFigures {
   bool smooth = false;
-  double noise = 0;      ///< standard deviation of the scan's, as measured [mm]
-  double noise_left = 0; ///< after smoothing [mm]
-  double farthest = 0;   ///< no point was moved further [mm]
-  Report smoothing;      ///< what PointSmoother did; empty where it was not needed
+  double noise = 0;        ///< standard deviation of the scan's, as measured [mm]
+  double noise_left = 0;   ///< after smoothing [mm]
+  bool noise_kept = false; ///< the points are too few to take it off without form
+  double farthest = 0;     ///< no point was moved further [mm]
+  Report smoothing;        ///< what PointSmoother did; empty where it was not needed
 };
 
 /// @brief The main job: from the file of a scan to a verified NC program with its

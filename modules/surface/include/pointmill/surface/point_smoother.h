@@ -11,6 +11,12 @@
 
 namespace pointmill {
 
+/// @brief How far a point may be moved [mm].
+struct MostMoved {
+  double down; ///< into the part
+  double up;   ///< out of it
+};
+
 /// @brief What smoothing does to one point.
 struct Smoothed {
   Eigen::Vector3d place; ///< where the point goes [mm]
@@ -30,17 +36,19 @@ struct Smoothed {
 /// @param points all points, with their noise
 /// @param noise standard deviation along the normal [mm]
 /// @param neighbours of the largest neighbourhood
-/// @param farthest no point is moved further than this [mm]
 Smoothed smoothPoint(const PointIndex& points,
                      const Eigen::Vector3d& point,
                      double noise,
                      int neighbours,
-                     double farthest);
+                     const MostMoved& most);
 
 /// @brief Takes a scanner's noise off its points, edges kept; see smoothPoint(). No
 /// point moves by more than three times the noise, so a cutter that enters no smoothed
 /// point by more than a tolerance enters no point of the scan by more than that and
-/// three times the noise. Fields besides x, y, z stay as they are.
+/// three times the noise. How far points may be raised can be limited further: where a
+/// scan is so sparse that the cutter reaches single low points, that much is left above
+/// them at most; where it is dense their neighbours hold the cutter up all the same.
+/// Fields besides x, y, z stay as they are.
 template <typename PointT>
 class PointSmoother : public Filter<PointT> {
 public:
@@ -57,12 +65,17 @@ public:
   int getNeighbours() const { return neighbours_; }
   /// @brief How far a point may move [mm].
   double getFarthest() const { return 3 * noise_; }
+  /// @brief How far a point may be raised, out of the part [mm]; three times the noise
+  /// where that is less.
+  void setMostRaised(double raised) { most_raised_ = raised; }
+  double getMostRaised() const { return most_raised_; }
   void setNumberOfThreads(unsigned threads) { threads_ = threads; }
 
   template <typename V>
   void parameters(V&& v)
   {
     v("noise", noise_, "mm", Range{1e-6, 100}, "standard deviation of the noise");
+    v("most_raised", most_raised_, "mm", Range{0, 300}, "no point goes further up");
     v("neighbours", neighbours_, "", Range{12, 5000}, "most points that a fit takes");
   }
 
@@ -71,7 +84,7 @@ protected:
   void apply(PointCloud& output) override;
 
 private:
-  double noise_ = 0.02;
+  double noise_ = 0.02, most_raised_ = 300.0;
   int neighbours_ = 100;
   unsigned threads_ = 0;
 };

@@ -5,6 +5,7 @@
 #include <pointmill/common/parallel.h>
 #include <pointmill/surface/point_smoother.h>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -38,6 +39,7 @@ void PointSmoother<PointT>::apply(PointCloud& output)
     double moved2 = 0, variance = 0;
   };
   std::vector<Sums> sums(rows.size());
+  const MostMoved most{getFarthest(), std::min(getFarthest(), most_raised_)};
   parallelFor(rows.size(), threads_, [&](std::size_t row) {
     Sums& mine = sums[row];
     auto& ids = rows[row];
@@ -47,7 +49,7 @@ void PointSmoother<PointT>::apply(PointCloud& output)
     for (const auto i : ids) {
       PointT& p = output[i];
       const Eigen::Vector3d from(p.x, p.y, p.z);
-      const Smoothed s = smoothPoint(points, from, noise_, neighbours_, getFarthest());
+      const Smoothed s = smoothPoint(points, from, noise_, neighbours_, most);
       p.x = static_cast<float>(s.place.x());
       p.y = static_cast<float>(s.place.y());
       p.z = static_cast<float>(s.place.z());
