@@ -8,6 +8,7 @@
 
 #include <pointmill/common/parallel.h>
 #include <pointmill/surface/point_index.h>
+#include <pointmill/surface/surface_model.h>
 
 #include <benchmark/benchmark.h>
 #include <pcl/search/kdtree.h>
@@ -102,10 +103,16 @@ void countErrors(benchmark::State& state,
 // --- The engine: all places, by rows, on several threads.
 
 /// What gives rows of resting heights: anything with PointIndex's dropRow(). Another
-/// surface model needs a function like this one, and a line in main().
+/// route needs a function like these, a line in addAll() and one in bench_report.py.
 PointIndex barePoints(const Cloud& cloud, unsigned threads)
 {
   return PointIndex({pointmill::pointSource(cloud)}, threads);
+}
+
+pointmill::SurfaceModel smoothSurface(const Cloud& cloud, unsigned threads)
+{
+  return {std::make_shared<PointIndex>(barePoints(cloud, threads)),
+          pointmill::SmoothSurface()};
 }
 
 template <typename Make>
@@ -325,6 +332,8 @@ void addAll(std::size_t count)
 {
   for (unsigned threads : {1u, 2u})
     addEngine("points", bench::kFreeform, count, threads, barePoints);
+  if (count <= 10'000'000)
+    addEngine("smooth", bench::kFreeform, count, 2, smoothSurface);
   add("chord", bench::kFreeform, count, chords)->Unit(benchmark::kNanosecond);
   addOneByOne<SingleDrops>("single_drops", bench::kFreeform, count, 20000);
   if (count <= 10'000'000) {
