@@ -247,7 +247,7 @@ TEST(BufferPoints, OverASmoothModelChordsFollowTheTrueSurface)
       worst = std::max(worst, std::abs(error) * across);
     }
   });
-  EXPECT_LT(worst, 0.01 + 0.003); // the band, and what the model errs
+  EXPECT_LT(worst, 0.01 + 0.005); // the band, and what the model errs at most
 }
 
 TEST(BufferPoints, APlaneNeedsNone)

@@ -28,7 +28,7 @@ void tangents(const Vector3d& normal, Vector3d& s, Vector3d& t)
 void Neighbourhood::gatherWithin(const PointIndex& points, double distance)
 {
   radius = distance;
-  std::size_t count = 0;
+  std::size_t count = 0; // the columns only grow: filling them costs time
   const int c0 = points.columnOf(centre.x() - distance);
   const int c1 = points.columnOf(centre.x() + distance);
   const int r0 = points.rowOf(centre.y() - distance);
@@ -48,8 +48,7 @@ void Neighbourhood::gatherWithin(const PointIndex& points, double distance)
       count += d.squaredNorm() <= most;
     }
   }
-  for (auto* column : {&x, &y, &z})
-    column->resize(count);
+  count_ = count;
 }
 
 void Neighbourhood::gather(const PointIndex& points,
@@ -72,7 +71,7 @@ void Neighbourhood::gather(const PointIndex& points,
       const auto [first, last] = points.cells(r, c0, c1);
       seen += last - first;
     }
-    if (seen > wanted / 4 || ring >= widest)
+    if (seen >= wanted || ring >= widest)
       break;
   }
   const double edge = (2 * ring + 1) * points.cellSize();

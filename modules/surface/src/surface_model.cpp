@@ -19,6 +19,9 @@ constexpr int kSteps = 8;   // of the search on one patch
 /// less than what the cutter would sink between them.
 constexpr double kRoughness = 0.01;
 constexpr double kSteepest = 0.05; // least upward part of a normal
+/// The contact has settled when it moves by less than this share of the patch; the tip
+/// errs by the square of it.
+constexpr double kSettled = 1e-4;
 constexpr double kOnTheRim = 1e-7; // share of the radius
 
 /// Where @p tool with its axis at @p axis touches the plane through @p q with normal
@@ -88,7 +91,7 @@ void SurfaceModel::restOnPatch(const Tool& tool,
       st = next;
       if (!(st.norm() < reach))
         break;
-      if (moved < 1e-7 * reach)
+      if (moved < kSettled * reach)
         break;
     }
     const double away = st.norm();

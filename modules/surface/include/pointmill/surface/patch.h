@@ -15,9 +15,9 @@ namespace pointmill {
 struct Neighbourhood {
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();
   double radius = 0;
-  std::vector<double> x, y, z;
+  std::vector<double> x, y, z; ///< the first size() of each
 
-  std::size_t size() const { return x.size(); }
+  std::size_t size() const { return count_; }
 
   /// @brief Gathers about @p wanted points round @p place: more than half as many and
   /// less than three times, unless the points are spread so unevenly that no radius
@@ -30,6 +30,8 @@ struct Neighbourhood {
 
 private:
   void gatherWithin(const PointIndex& points, double distance);
+
+  std::size_t count_ = 0;
 };
 
 /// @brief A piece of smooth surface: the quadric
