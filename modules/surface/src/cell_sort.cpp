@@ -16,7 +16,7 @@ namespace {
 
 /// Cells hold about this many points: few enough to skip most, enough to be worth a
 /// look.
-constexpr double kPointsPerCell = 8.0;
+constexpr double kPointsPerCell = 6.0;
 constexpr double kMostCells = 64e6;
 /// A band and its copy shall fit into a core's cache; too many bands would not.
 constexpr double kPointsPerBand = 16e3;
