@@ -103,7 +103,7 @@ def plot(best):
     seconds = [run["seconds"] for s in series for _, run in s[3]]
     x0, x1 = math.log10(min(points)), math.log10(max(points))
     y0, y1 = math.floor(math.log10(min(seconds))), math.ceil(math.log10(max(seconds)))
-    left, top, width, height, legend = 70, 20, 420, 320, 210
+    left, top, width, height, legend = 70, 20, 420, 320, 240
 
     def px(n):
         return left + width * (math.log10(n) - x0) / max(x1 - x0, 1e-9)

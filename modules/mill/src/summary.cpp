@@ -12,6 +12,9 @@
 namespace pointmill {
 namespace {
 
+/// Less than this under the floor holds no part [mm].
+constexpr double kSkin = 0.2;
+
 #if defined(__GNUC__)
 __attribute__((format(printf, 1, 2)))
 #endif
@@ -65,7 +68,7 @@ double percent(std::size_t part, std::size_t whole)
 std::vector<std::string> warningsOf(const MillJob& job)
 {
   std::vector<std::string> lines;
-  if (job.floor() <= job.stock().min.z() + 1e-6)
+  if (job.floor() <= job.stock().min.z() + kSkin)
     lines.push_back(print("the part's surroundings are cut down to the bottom of the "
                           "stock, Z%.2f: --floor or --stock-bottom leave it a base",
                           job.floor()));
