@@ -201,6 +201,13 @@ CLI::App* declareMill(CLI::App& app, MillCommand& command)
          "with the noise taken off; auto: by spacing, noise and tolerance")
       ->default_str("auto")
       ->group("Accuracy");
+  mill->add_option("--noise",
+                   o.noise,
+                   "the scanner's, a standard deviation; 0: none, so that no point is "
+                   "moved")
+      ->type_name("MM")
+      ->default_str("measured")
+      ->group("Accuracy");
   mill->add_flag("--accept-sparse",
                  o.accept_sparse,
                  "go on where tools sink more than the tolerance between bare points")

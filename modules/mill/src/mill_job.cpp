@@ -28,7 +28,8 @@ double MillJob::gapArea() const
 {
   double area = 0;
   for (const auto& gap : gaps_)
-    area += gap.area;
+    if (gap.kind == GapKind::NotScanned)
+      area += gap.area;
   return area;
 }
 
@@ -103,7 +104,8 @@ void MillJob::verify()
   verifier.setTools({options_.rough.tool, options_.semi.tool, options_.finish.tool});
   // What the control may add by blending corners cannot be seen in the text.
   verifier.setTolerance(options_.tolerance - ErrorBudget::of(options_.tolerance).blend);
-  verifier.setResidualLimit(options_.residual_limit);
+  if (options_.boundary.empty()) // beyond a polygon all is left over
+    verifier.setResidualLimit(options_.residual_limit);
   const Eigen::Vector3d size = stock_.max - stock_.min;
   // Cells no wider than the thinnest tool's radius: nothing slips between two centres.
   const double thinnest = std::min({options_.rough.tool.radius(),

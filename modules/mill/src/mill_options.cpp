@@ -2,6 +2,8 @@
 // Copyright (c) 2026, the PointMill authors
 #include <pointmill/mill/mill_options.h>
 
+#include <cmath>
+
 namespace pointmill {
 
 void MillOptions::validate() const
@@ -19,6 +21,23 @@ void MillOptions::validate() const
   checkRange(who, "--step-down", step_down, "mm", {0, rough.tool.diameter});
   checkRange(who, "--step-over", step_over, "mm", {0, rough.tool.endDiameter()});
   checkRange(who, "--overhang", overhang, "mm", {-100, 100});
+  if (!std::isnan(noise))
+    checkRange(who, "--noise", noise, "mm", {0, 10});
+  if (over_stock && !boundary.empty())
+    throw ParameterError(who + ": --boundary stock and --polygon exclude each other");
+  if (overhang != 0 && !over_stock && boundary.empty())
+    throw ParameterError(who + ": --overhang needs --boundary stock or --polygon");
+  if (milling == MillingMode::Conventional && pattern != RasterPattern::OneWay)
+    throw ParameterError(who + ": --milling needs --pattern one-way");
+  double twice = 0; // the polygon's area
+  for (std::size_t i = 0; i < boundary.size(); ++i) {
+    const Eigen::Vector2d &a = boundary[i], &b = boundary[(i + 1) % boundary.size()];
+    if (!a.allFinite())
+      throw ParameterError(who + ": --polygon has a corner that is not finite");
+    twice += a.x() * b.y() - a.y() * b.x();
+  }
+  if (!boundary.empty() && std::abs(twice) < 1e-3)
+    throw ParameterError(who + ": --polygon encloses no area");
   checkRange(who, "--residual-limit", residual_limit, "mm", {0.001, 1000});
   checkRange(who, "--fit", fit, "mm", {0, 3000});
   checkRange(who, "--units/--scale", mm_per_unit, "mm per unit", {1e-6, 1e6});

@@ -92,7 +92,10 @@ PreviewScene sceneOf(const MillJob& job, const std::string& title)
   const Verification& v = job.verification();
   const double worst = std::max(v.deviation.p95, 0.0);
   scene.figures = {text("%.0f minutes of milling", job.minutes()),
-                   text("deepest gouge %.4f mm", v.gouge),
+                   text("deepest gouge %.4f mm", v.gouge) +
+                       (job.surfaceFigures().farthest > 0
+                            ? text(", as scanned %.3f mm", v.raw_gouge)
+                            : std::string()),
                    text("95 %% of what the tool reaches within +%.3f mm", worst),
                    std::to_string(v.rapids_in_stock) + " rapids through stock",
                    text("not scanned, protected: %.0f mm2", job.gapArea()) +

@@ -58,6 +58,11 @@ std::string surfaceLine(const MillJob& job)
   return text + "\n";
 }
 
+bool notScanned(const GapRegion& gap)
+{
+  return gap.kind == GapKind::NotScanned;
+}
+
 double percent(std::size_t part, std::size_t whole)
 {
   return 100.0 * double(part) / double(std::max<std::size_t>(1, whole));
@@ -72,13 +77,31 @@ std::vector<std::string> warningsOf(const MillJob& job)
     lines.push_back(print("the part's surroundings are cut down to the bottom of the "
                           "stock, Z%.2f: --floor or --stock-bottom leave it a base",
                           job.floor()));
+  const MillOptions& o = job.options();
+  const SurfaceFigures& surface = job.surfaceFigures();
   const double sink =
-      sinkBetweenPoints(job.options().finish.tool, job.scanFigures().spacing.p99);
-  if (!job.surfaceFigures().smooth && sink > job.options().tolerance)
+      sinkBetweenPoints(o.finish.tool, job.scanFigures().spacing.p99, 45);
+  if (sink > o.tolerance)
+    lines.push_back(print(
+        "the scan is sparse: on a slope of 45 degrees %s may sink %.3f mm between "
+        "its bare points%s",
+        o.finish.tool.describe().c_str(),
+        sink,
+        surface.smooth ? "; the smooth surface between them is the likeliest one, "
+                         "on edges and steep flanks it may err by as much"
+                       : ", below the true surface"));
+  if (surface.farthest > o.tolerance)
     lines.push_back(
-        print("the scan is sparse: between its points the last tool may sink "
-              "%.3f mm, more on slopes, below the true surface",
-              sink));
+        print("the noise is large for the tolerance: points of the scan may lie up to "
+              "%.3f mm inside the tool, and edges may be rounded by as much; --noise "
+              "says what the scanner's is, if some of this is form",
+              surface.farthest + o.tolerance));
+  if (surface.noise_left > o.tolerance)
+    lines.push_back(
+        print("smoothing leaves %.3f mm of the noise, more than the tolerance",
+              surface.noise_left));
+  if (!o.boundary.empty())
+    lines.push_back("what is left over counts the whole part, beyond the polygon too");
   for (const auto* tool : {&job.options().rough.tool,
                            &job.options().semi.tool,
                            &job.options().finish.tool}) {
@@ -137,9 +160,10 @@ std::string summaryOf(const MillJob& job, const std::string& directory)
         o.figures.rapid_length,
         o.figures.minutes,
         o.seconds);
-  text += print("verified   deepest gouge %.4f mm, %zu rapids in stock\n",
-                v.gouge,
-                v.rapids_in_stock);
+  text += print("verified   deepest gouge %.4f mm", v.gouge);
+  if (job.surfaceFigures().farthest > 0)
+    text += print(" of the points without noise, %.4f mm as scanned", v.raw_gouge);
+  text += print(", %zu rapids in stock\n", v.rapids_in_stock);
   text +=
       print("left over  p50 %.4f p95 %.4f max %.3f mm more than a perfect pass of the "
             "last tool leaves\n",
@@ -157,11 +181,19 @@ std::string summaryOf(const MillJob& job, const std::string& directory)
   text +=
       print("not seen   %zu gaps of the scan, %.1f mm2, and %.1f mm2 between points: "
             "%s\n",
-            job.gaps().size(),
+            static_cast<std::size_t>(
+                std::count_if(job.gaps().begin(), job.gaps().end(), notScanned)),
             job.gapArea(),
             job.bridgedArea(),
             job.options().gaps == GapPolicy::Mill ? "gaps are milled"
                                                   : "bridged and protected");
+  for (const auto& gap : job.gaps())
+    if (!notScanned(gap))
+      text += print("hole       %.1f mm2 at X%.2f Y%.2f, milled to Z%.3f\n",
+                    gap.area,
+                    gap.centre.x(),
+                    gap.centre.y(),
+                    job.floor());
   const double minutes = std::ceil(job.minutes());
   text += print("time       %.0f h %02.0f min of milling\n",
                 std::floor(minutes / 60),

@@ -140,7 +140,9 @@ void MillJob::makeSurface()
   timed("surface", 0.08, [&] {
     points_ = std::make_shared<PointIndex>(indexOf(*part_));
     figures_ = SurfaceFigures();
-    figures_.noise = measureNoise(*part_, options_.seed).deviation;
+    figures_.noise = std::isnan(options_.noise)
+                         ? measureNoise(*part_, options_.seed).deviation
+                         : options_.noise;
     const Tool& last = options_.finish.tool;
     const double sink = sinkBetweenPoints(last, scan_.spacing.p99);
     const bool noisy = figures_.noise > kLittle * options_.tolerance;
@@ -231,11 +233,13 @@ void MillJob::makeMap()
       model_ = std::make_shared<SurfaceModel>(surface_);
 
     const double margin = options_.stock_margin;
-    floor_ = std::isnan(options_.floor) ? clean_points_->min().z() : options_.floor;
     bridged_area_ = occupancy.getReport().get("between_points_mm2");
     stock_.min =
         points_->min() - Eigen::Vector3d(margin, margin, options_.stock_bottom);
     stock_.max = points_->max() + Eigen::Vector3d(margin, margin, options_.stock_top);
+    floor_ = std::isnan(options_.floor)
+                 ? std::max(clean_points_->min().z(), stock_.min.z())
+                 : options_.floor;
     if (floor_ < stock_.min.z() - 1e-6)
       throw ParameterError("mill: --floor lies below the stock's bottom, Z" +
                            std::to_string(stock_.min.z()));

@@ -92,7 +92,7 @@ public:
   double clearancePlane() const { return stock_.top() + options_.clearance; }
   double floor() const { return floor_; }
   double minutes() const;
-  /// @brief Area of all gaps [mm2].
+  /// @brief Area of all gaps but the holes through the part [mm2].
   double gapArea() const;
   /// @brief Area inside the outline that lies between points and was bridged [mm2].
   double bridgedArea() const { return bridged_area_; }

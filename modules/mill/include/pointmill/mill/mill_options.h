@@ -55,6 +55,8 @@ struct MillOptions {
   double tolerance = 0.02; ///< deepest a point may get into a tool, all errors together
   double scallop = 0.01;   ///< of the finishing [mm]
   SurfaceChoice surface = SurfaceChoice::Auto;
+  /// Standard deviation of the scanner's noise [mm]; NaN: measured on the scan.
+  double noise = std::numeric_limits<double>::quiet_NaN();
   /// Go on where a tool may sink further between bare points than the tolerance.
   bool accept_sparse = false;
   double semi_scallop = 0.05;

@@ -7,6 +7,7 @@
 
 #include <Eigen/Core>
 
+#include <limits>
 #include <vector>
 
 namespace pointmill {
@@ -56,7 +57,8 @@ public:
 
   PointSmoother() : Filter<PointT>("PointSmoother") {}
 
-  /// @brief Standard deviation of the noise along the surface normal [mm].
+  /// @brief Standard deviation of the noise along the surface normal [mm]; there is no
+  /// default.
   void setNoise(double noise) { noise_ = noise; }
   double getNoise() const { return noise_; }
   /// @brief Points of the largest neighbourhood. What is left of the noise is about
@@ -84,7 +86,8 @@ protected:
   void apply(PointCloud& output) override;
 
 private:
-  double noise_ = 0.02, most_raised_ = 300.0;
+  double noise_ = std::numeric_limits<double>::quiet_NaN(); // must be set
+  double most_raised_ = 300.0;
   int neighbours_ = 100;
   unsigned threads_ = 0;
 };
