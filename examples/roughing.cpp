@@ -3,7 +3,7 @@
 //
 // PCL's filters and PointMill's in one chain: from a scan to the roughing's CL points.
 #include <pointmill/align/z_alignment.h>
-#include <pointmill/rough/level_roughing.h>
+#include <pointmill/rough/zigzag_roughing.h>
 #include <pointmill/slice/occupancy_map.h>
 
 #include <pcl/filters/statistical_outlier_removal.h>

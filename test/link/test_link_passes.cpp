@@ -2,7 +2,7 @@
 // Copyright (c) 2026, the PointMill authors
 #include "link_test.h"
 
-#include <pointmill/rough/level_roughing.h>
+#include <pointmill/rough/zigzag_roughing.h>
 #include <pointmill/slice/occupancy_map.h>
 
 using namespace link_test;

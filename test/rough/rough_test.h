@@ -3,7 +3,8 @@
 #pragma once
 
 #include <pointmill/common/error.h>
-#include <pointmill/rough/level_roughing.h>
+#include <pointmill/rough/spiral_roughing.h>
+#include <pointmill/rough/zigzag_roughing.h>
 #include <pointmill/slice/occupancy_map.h>
 #include <pointmill_test/clouds.h>
 

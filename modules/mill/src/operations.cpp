@@ -5,7 +5,8 @@
 #include <pointmill/link/order_passes.h>
 #include <pointmill/link/simplify_path.h>
 #include <pointmill/mill/mill_job.h>
-#include <pointmill/rough/level_roughing.h>
+#include <pointmill/rough/spiral_roughing.h>
+#include <pointmill/rough/zigzag_roughing.h>
 #include <pointmill/slice/z_slices.h>
 
 #include <chrono>

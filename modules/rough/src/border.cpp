@@ -15,9 +15,9 @@ void BorderWalker::step()
   const int forward = (wall + 3) & 3; // the wall is to the left of the way ahead
   const Node ahead = at + direction(forward);
   const Node corner = ahead + direction(wall);
-  if (!map.isFree(ahead, z))
+  if (!level.isFree(ahead))
     wall = forward; // an inner corner: turn right on the spot
-  else if (!map.isFree(corner, z))
+  else if (!level.isFree(corner))
     at = ahead;
   else { // an outer corner: round it, left
     at = corner;
@@ -25,23 +25,23 @@ void BorderWalker::step()
   }
 }
 
-std::vector<Chain> borderLoops(const LevelMap& map, double z)
+std::vector<Chain> borderLoops(const Level& level)
 {
-  const CellGrid& grid = map.grid();
+  const CellGrid& grid = level.map().grid();
   std::vector<unsigned char> seen(grid.size(), 0); // one bit per direction of the wall
   std::vector<Chain> loops;
   for (int row = 0; row < grid.rows; ++row)
     for (int column = 0; column < grid.columns; ++column) {
       const Node node{column, row};
-      if (!map.isFree(node, z))
+      if (!level.isFree(node))
         continue;
       for (int d = 0; d < 4; ++d) {
         const Node beyond = node + direction(d);
-        if (!map.has(beyond) || map.isFree(beyond, z) ||
+        if (!level.map().has(beyond) || level.isFree(beyond) ||
             (seen[grid.index(column, row)] >> d & 1))
           continue;
         Chain loop;
-        BorderWalker walker{map, z, node, d};
+        BorderWalker walker{level, node, d};
         for (;;) {
           unsigned char& bits = seen[grid.index(walker.at.column, walker.at.row)];
           if (bits >> walker.wall & 1)

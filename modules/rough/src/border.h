@@ -2,7 +2,7 @@
 // Copyright (c) 2026, the PointMill authors
 #pragma once
 
-#include <pointmill/rough/level_roughing.h>
+#include <pointmill/rough/level.h>
 
 #include <vector>
 
@@ -11,8 +11,7 @@ namespace pointmill {
 /// @brief A walk along the border of the free nodes of one level: the tool stands on a
 /// free node and has a node that is not free to its left.
 struct BorderWalker {
-  const LevelMap& map;
-  double z;
+  const Level& level;
   Node at;
   int wall; ///< direction of the node that is not free: 0 +X, 1 +Y, 2 -X, 3 -Y
 
@@ -24,6 +23,6 @@ struct BorderWalker {
 Node direction(int d);
 
 /// @brief All closed walks along the border between free and other nodes of a level.
-std::vector<Chain> borderLoops(const LevelMap& map, double z);
+std::vector<Chain> borderLoops(const Level& level);
 
 } // namespace pointmill

@@ -62,45 +62,46 @@ std::vector<float> filterMax(const CellGrid& grid,
 
 LevelMap::LevelMap(const CellCloud& map,
                    const PointIndex* part,
-                   const Tool& tool,
-                   double allowance,
                    const StockField& stock,
-                   double min_thickness,
-                   double min_width,
+                   const Clearing& clearing,
                    unsigned threads)
-    : threads_(threads), grid_(CellGrid::of(map)), radius_(tool.radius()),
-      end_radius_(tool.endDiameter() / 2)
+    : threads_(threads), tool_(clearing.tool)
 {
-  // The map's grid, extended so that the tool can run round the stock and the part.
-  const CellGrid cells = grid_;
-  const double cell = cells.cell, room = tool.radius() + allowance + 2 * cell;
+  const CellGrid cells = CellGrid::of(map);
+  // So that the tool can run round the stock and the part.
+  extend(cells, stock.stock(), tool_.radius() + clearing.allowance + 2 * cells.cell);
+  if (part)
+    dropOnPoints(*part, clearing.allowance);
+  else
+    dropOnCells(map, clearing.allowance);
+  measureStock(stock, clearing);
+}
+
+void LevelMap::extend(const CellGrid& cells, const Stock& box, double room)
+{
+  const double cell = cells.cell;
   const auto extra = [&](double gap) {
     return std::max(0, static_cast<int>(std::ceil((gap + room) / cell)));
   };
-  const Stock& box = stock.stock();
   const int left = extra(cells.x0 - box.min.x());
   const int below = extra(cells.y0 - box.min.y());
+  grid_ = cells;
   grid_.x0 -= left * cell;
   grid_.y0 -= below * cell;
   grid_.columns += left + extra(box.max.x() - (cells.x0 + cells.columns * cell));
   grid_.rows += below + extra(box.max.y() - (cells.y0 + cells.rows * cell));
-
-  if (part)
-    dropOnPoints(*part, tool, allowance);
-  else
-    dropOnCells(map, tool.grown(allowance), allowance);
-  measureStock(stock, tool, min_thickness, min_width);
 }
 
-void LevelMap::dropOnCells(const CellCloud& map, const Tool& grown, double allowance)
+void LevelMap::dropOnCells(const CellCloud& map, double allowance)
 {
+  const Tool grown = tool_.grown(allowance);
   const double cell = grid_.cell, half = cell / 2;
   std::vector<float> part(grid_.size(), kNothing);
   for (const auto& from : map)
     if (from.getState() != CellState::Empty)
       part[grid_.index(grid_.columnOf(from.x), grid_.rowOf(from.y))] = from.z;
-  // A cell's points may lie anywhere in it; a move between two nodes passes a point up
-  // to half a diagonal step nearer than the nearer node does. 1e-4 covers float32.
+  // A cell's points may lie anywhere in it; a place between nodes is up to half a
+  // diagonal nearer to a point than the nearest node. 1e-4 covers float32.
   const auto keep_away = [&](double dx, double dy) {
     const double bx = std::max(0.0, std::abs(dx) - half);
     const double by = std::max(0.0, std::abs(dy) - half);
@@ -113,13 +114,11 @@ void LevelMap::dropOnCells(const CellCloud& map, const Tool& grown, double allow
     z += static_cast<float>(allowance);
 }
 
-void LevelMap::dropOnPoints(const PointIndex& part, const Tool& tool, double allowance)
+void LevelMap::dropOnPoints(const PointIndex& part, double allowance)
 {
-  // Wider by what a point may be nearer to a move between two nodes than to the nearer
-  // of them: the sagitta of half a diagonal step, at the end, where it is largest.
-  const double r = tool.tipRadius() + allowance;
+  const double r = tool_.tipRadius() + allowance;
   const double wider = std::sqrt(r * r + grid_.cell * grid_.cell / 2) - r + 1e-4;
-  const Tool grown = tool.grown(allowance + wider);
+  const Tool grown = tool_.grown(allowance + wider);
   lowest_.assign(grid_.size(), kNothing);
   parallelFor(static_cast<std::size_t>(grid_.rows), threads_, [&](std::size_t row) {
     std::vector<Contact> contacts(static_cast<std::size_t>(grid_.columns));
@@ -135,50 +134,87 @@ void LevelMap::dropOnPoints(const PointIndex& part, const Tool& tool, double all
   });
 }
 
-void LevelMap::measureStock(const StockField& stock,
-                            const Tool& tool,
-                            double min_thickness,
-                            double min_width)
+double LevelMap::lowestAlong(const Eigen::Vector2d& a, const Eigen::Vector2d& b) const
+{
+  constexpr double kOn = 1e-7; // nodes; nearer to a line of nodes is on it
+  // In nodes, from the end with the lower column.
+  Eigen::Vector2d from((a.x() - grid_.x(0)) / grid_.cell,
+                       (a.y() - grid_.y(0)) / grid_.cell);
+  Eigen::Vector2d to((b.x() - grid_.x(0)) / grid_.cell,
+                     (b.y() - grid_.y(0)) / grid_.cell);
+  if (to.x() < from.x())
+    std::swap(from, to);
+  const auto down = [&](double v) { return static_cast<int>(std::floor(v + kOn)); };
+  const auto up = [&](double v) { return static_cast<int>(std::ceil(v - kOn)); };
+  const Node low{down(from.x()), down(std::min(from.y(), to.y()))};
+  const Node high{up(to.x()), up(std::max(from.y(), to.y()))};
+  if (!has(low) || !has(high))
+    return std::numeric_limits<double>::infinity();
+  const double slope =
+      to.x() > from.x() ? (to.y() - from.y()) / (to.x() - from.x()) : 0;
+  double highest = kNothing;
+  for (int column = low.column; column < std::max(high.column, low.column + 1);
+       ++column) {
+    // The rows of nodes round what lies between this column and the next.
+    double y0 = from.y(), y1 = to.y();
+    if (to.x() > from.x()) {
+      y0 = from.y() + slope * (std::max<double>(column, from.x()) - from.x());
+      y1 = from.y() + slope * (std::min<double>(column + 1, to.x()) - from.x());
+    }
+    const int first = std::max(low.row, down(std::min(y0, y1)));
+    const int last = std::min(high.row, up(std::max(y0, y1)));
+    for (int row = first; row <= last; ++row) {
+      const std::size_t i = grid_.index(column, row);
+      highest = std::max<double>(highest, lowest_[i]);
+      if (column < high.column)
+        highest = std::max<double>(highest, lowest_[i + 1]);
+    }
+  }
+  return highest;
+}
+
+void LevelMap::measureStock(const StockField& stock, const Clearing& clearing)
 {
   const double cell = grid_.cell;
-  std::vector<float> standing(grid_.size(), kNothing);
+  standing_.assign(grid_.size(), kNothing);
   for (int r = 0; r < grid_.rows; ++r)
     for (int c = 0; c < grid_.columns; ++c)
-      standing[grid_.index(c, r)] =
+      standing_[grid_.index(c, r)] =
           static_cast<float>(stock.highest(grid_.x(c), grid_.y(r), cell / 4));
+  auto worth = standing_;
   // Under the tool for certain: what a pass over the node would cut away.
   const double unsure = std::sqrt(2.0) * stock.cellSize();
-  const double certain = std::max(0.0, tool.radius() - unsure);
+  const double certain = std::max(0.0, tool_.radius() - unsure);
   const auto under = [&](double dx, double dy) {
     const double d = std::hypot(dx, dy);
-    return d <= certain ? tool.profile(d) : std::numeric_limits<double>::infinity();
+    return d <= certain ? tool_.profile(d) : std::numeric_limits<double>::infinity();
   };
-  if (min_thickness > 0) {
+  if (clearing.min_thickness > 0) {
     // Leave what is not much thicker than the tool would leave it ...
     auto depth = lowest_; // a lower envelope is the upper one of the negative
     for (auto& z : depth)
       z = -z;
     const auto left_over =
-        filterMax(grid_, depth, footprint(tool.radius(), cell, under), threads_);
+        filterMax(grid_, depth, footprint(tool_.radius(), cell, under), threads_);
     std::vector<unsigned char> thin(grid_.size()), core(grid_.size());
-    for (std::size_t i = 0; i < standing.size(); ++i)
-      thin[i] = !(standing[i] + left_over[i] > min_thickness);
+    for (std::size_t i = 0; i < worth.size(); ++i)
+      thin[i] = !(worth[i] + left_over[i] > clearing.min_thickness);
     // ... and what is thick only as a skin on a wall.
-    const double half_width = min_width / 2 / cell;
+    const double half_width = clearing.min_width / 2 / cell;
     const auto to_thin = distanceField(thin, grid_.columns, grid_.rows);
-    for (std::size_t i = 0; i < standing.size(); ++i)
+    for (std::size_t i = 0; i < worth.size(); ++i)
       core[i] = to_thin[i] > half_width;
     const auto to_core = distanceField(core, grid_.columns, grid_.rows);
-    for (std::size_t i = 0; i < standing.size(); ++i)
+    for (std::size_t i = 0; i < worth.size(); ++i)
       if (thin[i] || to_core[i] > half_width)
-        standing[i] = kNothing;
+        worth[i] = kNothing;
   }
-  const double end = std::max(0.0, end_radius_ - unsure);
+  const double end = std::max(0.0, endRadius() - unsure);
   const auto under_end = [&](double dx, double dy) {
     return std::hypot(dx, dy) <= end ? 0.0 : std::numeric_limits<double>::infinity();
   };
   stock_top_ =
-      filterMax(grid_, standing, footprint(end_radius_, cell, under_end), threads_);
+      filterMax(grid_, worth, footprint(endRadius(), cell, under_end), threads_);
 }
 
 std::vector<int> LevelMap::regions(double floor) const
@@ -187,7 +223,7 @@ std::vector<int> LevelMap::regions(double floor) const
   for (std::size_t i = 0; i < needed.size(); ++i)
     needed[i] = stock_top_[i] > std::max<double>(lowest_[i], floor) + 1e-3;
   const auto distance = distanceField(needed, grid_.columns, grid_.rows);
-  const double reach = radius_ / grid_.cell + 1;
+  const double reach = tool_.radius() / grid_.cell + 1;
 
   std::vector<int> region(grid_.size(), 0);
   std::vector<std::size_t> open;

@@ -3,6 +3,8 @@
 #include "border.h"
 #include "stretches.h"
 
+#include <pointmill/rough/spiral_roughing.h>
+
 #include <algorithm>
 #include <unordered_map>
 
@@ -27,17 +29,17 @@ Chain rectangle(Node low, Node high)
 
 /// Follows the ring from `from` on; round the part, clockwise, where it is in the way.
 /// Stops where there is no way on and sets `from` to the next place to begin at.
-Chain follow(const LevelMap& map, double z, const Chain& ring, std::size_t& from)
+Chain follow(const Level& level, const Chain& ring, std::size_t& from)
 {
   std::unordered_map<std::size_t, std::size_t> place; // of a node on the ring
   for (std::size_t i = 0; i < ring.size(); ++i)
-    place[map.grid().index(ring[i].column, ring[i].row)] = i;
+    place[level.map().grid().index(ring[i].column, ring[i].row)] = i;
 
-  while (from < ring.size() && !map.isFree(ring[from], z))
+  while (from < ring.size() && !level.isFree(ring[from]))
     ++from;
   Chain chain;
   while (from < ring.size()) {
-    if (map.isFree(ring[from], z)) {
+    if (level.isFree(ring[from])) {
       chain.push_back(ring[from++]);
       continue;
     }
@@ -46,19 +48,20 @@ Chain follow(const LevelMap& map, double z, const Chain& ring, std::size_t& from
     int wall = 0;
     while (here + direction(wall) != blocked)
       ++wall;
-    BorderWalker walker{map, z, here, wall};
+    BorderWalker walker{level, here, wall};
     Chain detour;
     // Back on the ring counts only where it goes on next: nothing of it is left out.
     std::size_t next = from;
-    while (next < ring.size() && !map.isFree(ring[next], z))
+    while (next < ring.size() && !level.isFree(ring[next]))
       ++next;
-    const std::size_t longest = map.grid().size();
+    const std::size_t longest = level.map().grid().size();
     bool back_on = false;
     do {
       walker.step();
       if (detour.empty() || detour.back() != walker.at)
         detour.push_back(walker.at);
-      const auto on = place.find(map.grid().index(walker.at.column, walker.at.row));
+      const auto on =
+          place.find(level.map().grid().index(walker.at.column, walker.at.row));
       if (on != place.end() && on->second == next) {
         from = on->second + 1;
         back_on = true;
@@ -74,8 +77,7 @@ Chain follow(const LevelMap& map, double z, const Chain& ring, std::size_t& from
 
 /// The stretches of a path that pass over stock; those less than `gap` nodes apart stay
 /// together.
-void keepNeeded(const LevelMap& map,
-                double z,
+void keepNeeded(const Level& level,
                 const Chain& path,
                 int gap,
                 std::vector<Chain>& chains)
@@ -85,7 +87,7 @@ void keepNeeded(const LevelMap& map,
       0,
       size,
       gap,
-      [&](int i) { return map.isNeeded(path[i], z); },
+      [&](int i) { return level.isNeeded(path[i]); },
       [&](int first, int last) { // with a node more at each end
         chains.emplace_back(path.begin() + std::max(0, first - 1),
                             path.begin() + std::min(size - 1, last + 1) + 1);
@@ -93,7 +95,7 @@ void keepNeeded(const LevelMap& map,
 }
 
 /// Joins two chains whose ends the tool can get between on the level, along X, then Y.
-bool join(const LevelMap& map, double z, Chain& chain, const Chain& next, int most)
+bool join(const Level& level, Chain& chain, const Chain& next, int most)
 {
   Node at = chain.back();
   const Node to = next.front();
@@ -105,7 +107,7 @@ bool join(const LevelMap& map, double z, Chain& chain, const Chain& next, int mo
       at.column += at.column < to.column ? 1 : -1;
     else
       at.row += at.row < to.row ? 1 : -1;
-    if (!map.isFree(at, z))
+    if (!level.isFree(at))
       return false;
     way.push_back(at);
   }
@@ -116,15 +118,15 @@ bool join(const LevelMap& map, double z, Chain& chain, const Chain& next, int mo
 
 } // namespace
 
-std::vector<Chain> SpiralRoughing::clearLevel(const LevelMap& map, double z) const
+std::vector<LevelPath> SpiralRoughing::clearLevel(const Level& level, Report&) const
 {
-  const int step = stride(map);
+  const int step = level.stride();
   std::vector<Chain> pieces;
-  Node low{0, 0}, high{map.grid().columns - 1, map.grid().rows - 1};
+  Node low{0, 0}, high{level.map().grid().columns - 1, level.map().grid().rows - 1};
   for (;;) {
     const Chain ring = rectangle(low, high);
     for (std::size_t from = 0; from < ring.size();)
-      keepNeeded(map, z, follow(map, z, ring, from), step, pieces);
+      keepNeeded(level, follow(level, ring, from), step, pieces);
     // Two sides no further apart than a step leave nothing between them.
     const int wide = high.column - low.column, deep = high.row - low.row;
     if (std::min(wide, deep) <= step)
@@ -135,9 +137,12 @@ std::vector<Chain> SpiralRoughing::clearLevel(const LevelMap& map, double z) con
   }
   std::vector<Chain> chains;
   for (auto& piece : pieces)
-    if (chains.empty() || !join(map, z, chains.back(), piece, 4 * step))
+    if (chains.empty() || !join(level, chains.back(), piece, 4 * step))
       chains.push_back(std::move(piece));
-  return chains;
+  std::vector<LevelPath> paths;
+  for (const auto& chain : chains)
+    paths.push_back(pathAlong(level, chain));
+  return paths;
 }
 
 } // namespace pointmill

@@ -2,7 +2,7 @@
 // Copyright (c) 2026, the PointMill authors
 #include "stretches.h"
 
-#include <pointmill/rough/level_roughing.h>
+#include <pointmill/rough/zigzag_roughing.h>
 
 #include <algorithm>
 #include <cmath>
@@ -19,17 +19,16 @@ struct Span {
 };
 
 /// The spans of one row. Needed stretches less than `gap` nodes apart are cut as one.
-void findSpans(
-    const LevelMap& map, double z, int row, int gap, std::vector<Span>& spans)
+void findSpans(const Level& level, int row, int gap, std::vector<Span>& spans)
 {
-  const int columns = map.grid().columns;
+  const int columns = level.map().grid().columns;
   for (int c = 0; c < columns;) {
-    if (!map.isFree({c, row}, z)) {
+    if (!level.isFree(Node{c, row})) {
       ++c;
       continue;
     }
     const int free_first = c;
-    while (c < columns && map.isFree({c, row}, z))
+    while (c < columns && level.isFree(Node{c, row}))
       ++c;
     const int free_last = c - 1;
     neededStretches(
@@ -37,7 +36,7 @@ void findSpans(
         free_last + 1,
         gap,
         [&](int i) {
-          return map.isNeeded({i, row}, z);
+          return level.isNeeded(Node{i, row});
         },
         [&](int first, int last) {
           // one node more at each end, into the open where there is room
@@ -64,13 +63,13 @@ void walk(Chain& chain, Node to)
 
 /// The column nearest to `from` where the tool gets from span a to span b on the level,
 /// or -1.
-int crossing(const LevelMap& map, double z, const Span& a, const Span& b, int from)
+int crossing(const Level& level, const Span& a, const Span& b, int from)
 {
   const int low = std::max(a.free_first, b.free_first);
   const int high = std::min(a.free_last, b.free_last);
   const auto open = [&](int column) {
     for (int row = std::min(a.row, b.row); row <= std::max(a.row, b.row); ++row)
-      if (!map.isFree({column, row}, z))
+      if (!level.isFree(Node{column, row}))
         return false;
     return true;
   };
@@ -84,16 +83,16 @@ int crossing(const LevelMap& map, double z, const Span& a, const Span& b, int fr
 
 } // namespace
 
-std::vector<Chain> ZigZagRoughing::clearLevel(const LevelMap& map, double z) const
+std::vector<LevelPath> ZigZagRoughing::clearLevel(const Level& level, Report&) const
 {
   // Rows from one end of the grid to the other; the first and last pass beside the
   // stock far enough to leave none.
-  const int step = stride(map);
+  const int step = level.stride();
   std::vector<Span> spans;
   std::vector<std::size_t> row_start;
-  for (int row = 0; row < map.grid().rows; row += step) {
+  for (int row = 0; row < level.map().grid().rows; row += step) {
     row_start.push_back(spans.size());
-    findSpans(map, z, row, step, spans);
+    findSpans(level, row, step, spans);
   }
   row_start.push_back(spans.size());
 
@@ -124,7 +123,7 @@ std::vector<Chain> ZigZagRoughing::clearLevel(const LevelMap& map, double z) con
            ++i) {
         if (spans[i].done)
           continue;
-        const int column = crossing(map, z, *span, spans[i], chain.back().column);
+        const int column = crossing(level, *span, spans[i], chain.back().column);
         const auto detour = [&](int c) { return std::abs(c - chain.back().column); };
         if (column >= 0 && (!next || detour(column) < detour(across))) {
           next = &spans[i];
@@ -139,7 +138,10 @@ std::vector<Chain> ZigZagRoughing::clearLevel(const LevelMap& map, double z) con
     }
     chains.push_back(std::move(chain));
   }
-  return chains;
+  std::vector<LevelPath> paths;
+  for (const auto& chain : chains)
+    paths.push_back(pathAlong(level, chain));
+  return paths;
 }
 
 } // namespace pointmill

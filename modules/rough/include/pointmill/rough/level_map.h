@@ -20,6 +20,18 @@ struct Node {
   Node operator+(const Node& o) const { return {column + o.column, row + o.row}; }
 };
 
+/// @brief What a roughing operation is to clear, with what.
+struct Clearing {
+  Tool tool;
+  /// Material to leave on the part, along its normal [mm].
+  double allowance = 0.0;
+  /// Stock less thick than this above what the tool would leave is not worth cutting
+  /// [mm]; 0: all of it is.
+  double min_thickness = 0.0;
+  /// Nor is thicker stock that is a skin narrower than this [mm].
+  double min_width = 0.0;
+};
+
 /// @brief Everything that roughing needs to know of a part, a tool and a stock: on a
 /// grid of nodes that reaches beyond the stock, how low the tool may go and how high
 /// the stock stands that it would cut there. Made once, it answers every level.
@@ -27,42 +39,43 @@ struct Node {
 /// The part is grown by the cutter and the allowance, so that nothing is gouged.
 /// Without an index of its points the occupancy map is what is grown: every cell keeps
 /// the tool away as if its highest point filled it. With one, heights are exact and the
-/// cell does not decide the accuracy. Straight moves between neighbouring nodes
-/// (diagonals too) are as safe as the nodes.
+/// cell does not decide the accuracy.
+///
+/// Between nodes the tool is as safe as on them: the part is grown by as much more as
+/// a point can be nearer to a place between nodes than to the nearest of them. With
+/// nodes at distance R or more from a point, a place in their square is, by the
+/// variance of the corners, at least sqrt(R^2 - cell^2 / 2) away.
 class LevelMap {
 public:
   /// @param map organised occupancy map of the part; empty cells hold no part
   /// @param part the part's points and what bridges their gaps, or null
-  /// @param allowance material to leave on the part, along its normal [mm]
-  /// @param min_thickness stock less thick than this above what the tool would leave is
-  ///        not worth cutting [mm]; 0: all of it is
-  /// @param min_width nor is thicker stock that is a skin narrower than this [mm]
   LevelMap(const CellCloud& map,
            const PointIndex* part,
-           const Tool& tool,
-           double allowance,
            const StockField& stock,
-           double min_thickness,
-           double min_width,
+           const Clearing& clearing,
            unsigned threads = 0);
 
   const CellGrid& grid() const { return grid_; }
+  const Tool& tool() const { return tool_; }
   /// @brief Radius of the tool's end, within which a pass clears its level; the cone of
   /// a tapered tool only brushes what stands higher beside it.
-  double endRadius() const { return end_radius_; }
+  double endRadius() const { return tool_.endDiameter() / 2; }
   bool has(Node n) const { return grid_.has(n.column, n.row); }
+  std::size_t index(Node n) const { return grid_.index(n.column, n.row); }
   double x(Node n) const { return grid_.x(n.column); }
   double y(Node n) const { return grid_.y(n.row); }
+  Eigen::Vector2d at(Node n) const { return {x(n), y(n)}; }
 
   /// @brief The lowest tip height that leaves the allowance; -infinity beside the part.
-  double lowest(Node n) const { return lowest_[grid_.index(n.column, n.row)]; }
-  /// @brief Whether the tool may stand at @p n with its tip on @p z.
-  bool isFree(Node n, double z) const { return has(n) && lowest(n) <= z + 1e-6; }
-  /// @brief Whether there is stock to cut under the tool at @p n with its tip on @p z.
-  bool isNeeded(Node n, double z) const
-  {
-    return isFree(n, z) && stock_top_[grid_.index(n.column, n.row)] > z + 1e-3;
-  }
+  double lowest(Node n) const { return lowest_[index(n)]; }
+  /// @brief The lowest height at which the tool is proven to move level and straight
+  /// from @p a to @p b; infinite beyond the nodes.
+  double lowestAlong(const Eigen::Vector2d& a, const Eigen::Vector2d& b) const;
+
+  /// @brief Highest stock that is worth cutting under the tool's end [mm].
+  double stockTop(Node n) const { return stock_top_[index(n)]; }
+  /// @brief Highest stock in the node's own cell [mm], worth cutting or not.
+  double standing(Node n) const { return standing_[index(n)]; }
 
   /// @brief A number for every node, the same where the tool, on whatever level, may
   /// cut the same stock: nodes that are needed on some level and less than a diameter
@@ -70,17 +83,15 @@ public:
   std::vector<int> regions(double floor) const;
 
 private:
-  void dropOnCells(const CellCloud& map, const Tool& grown, double allowance);
-  void dropOnPoints(const PointIndex& part, const Tool& tool, double allowance);
-  void measureStock(const StockField& stock,
-                    const Tool& tool,
-                    double min_thickness,
-                    double min_width);
+  void extend(const CellGrid& cells, const Stock& box, double room);
+  void dropOnCells(const CellCloud& map, double allowance);
+  void dropOnPoints(const PointIndex& part, double allowance);
+  void measureStock(const StockField& stock, const Clearing& clearing);
 
   unsigned threads_;
   CellGrid grid_;
-  double radius_, end_radius_;
-  std::vector<float> lowest_, stock_top_;
+  Tool tool_;
+  std::vector<float> lowest_, stock_top_, standing_;
 };
 
 } // namespace pointmill

@@ -3,23 +3,31 @@
 #pragma once
 
 #include <pointmill/common/stage.h>
-#include <pointmill/rough/level_map.h>
+#include <pointmill/rough/level.h>
+#include <pointmill/rough/material.h>
 
 #include <memory>
 #include <vector>
 
 namespace pointmill {
 
-/// @brief A connected path over nodes that the tool clears without leaving the level.
-using Chain = std::vector<Node>;
+/// @brief A place of the part that roughing leaves as the tool does not get in there.
+struct NarrowPlace {
+  Eigen::Vector3d at; ///< its widest spot, the top of what is left there [mm]
+  double area;        ///< [mm2]
+  double volume;      ///< that is left above the part and its allowance [mm3]
+};
 
 /// @brief Roughing level by level, from an occupancy map to the CL points of the
 /// cutting passes: one pass (`label`) per connected path, `level` counted from 0 at the
 /// top. Entries, links and retracts between the passes are LinkPasses' work. What a
 /// strategy does within a level is its clearLevel().
 ///
-/// After the strategy, each level gets passes along the border of the part where stock
-/// is left, so that no ridges stay beside the walls.
+/// All strategies work on one description of a level: where the tool leaves the
+/// allowance on the part, less what is no stock any more. After the strategy, each
+/// level gets passes along the border of the part where stock is left, so that no
+/// ridges stay beside the walls. Levels are planned in parallel; the result does not
+/// depend on it.
 class LevelRoughing : public Stage<PointCell, PointCL> {
 public:
   using Stage<PointCell, PointCL>::Stage;
@@ -35,14 +43,17 @@ public:
   /// @brief Distance between neighbouring rows or contours [mm].
   void setStepOver(double step) { step_over_ = step; }
   double getStepOver() const { return step_over_; }
+  /// @brief Level ground of at least this area [mm2] gets a level of its own, at most
+  /// one between two others; 0: none.
+  void setMinFlat(double area) { min_flat_ = area; }
+  double getMinFlat() const { return min_flat_; }
   /// @brief Height of the last level [mm]; by default the lowest point of the map.
   void setFloor(double floor) { floor_ = floor; }
   /// @brief The stock as earlier operations left it; by default a block round the map.
   void setStock(std::shared_ptr<const StockField> stock) { stock_ = std::move(stock); }
   /// @brief Rest roughing: leave stock to later operations that stands less than
   /// @p thickness above what this tool would leave, or is a skin on a wall narrower
-  /// than
-  /// @p width [mm].
+  /// than @p width [mm].
   void setRestLimits(double thickness, double width)
   {
     min_thickness_ = thickness;
@@ -55,6 +66,9 @@ public:
   void setPart(std::shared_ptr<const PointIndex> part) { part_ = std::move(part); }
   void setNumberOfThreads(unsigned threads) { threads_ = threads; }
 
+  /// @brief Of the last run, the largest first.
+  const std::vector<NarrowPlace>& getNarrowPlaces() const { return narrow_; }
+
   template <typename V>
   void parameters(V&& v)
   {
@@ -65,6 +79,7 @@ public:
       Range{0, 50},
       "distance between levels; 0: 0.3 d/4");
     v("step_over", step_over_, "mm", Range{0.05, 200}, "distance between rows");
+    v("min_flat", min_flat_, "mm2", Range{0, 1e6}, "smallest flat with its own level");
     v("min_thickness", min_thickness_, "mm", Range{0, 50}, "thinner stock is left");
     v("min_width", min_width_, "mm", Range{0, 50}, "narrower stock is left");
   }
@@ -73,40 +88,24 @@ protected:
   void checkParameters() const override;
   void apply(CLCloud& output) override;
 
-  /// @brief The chains that clear what is needed at height @p z, in machining order.
-  virtual std::vector<Chain> clearLevel(const LevelMap& map, double z) const = 0;
-
-  /// @brief Rows or contours lie this many nodes apart.
-  int stride(const LevelMap& map) const;
+  /// @brief What clears that which is needed on @p level, in machining order. Called
+  /// from many threads.
+  /// @param figures added up over the levels, by name, into the report
+  virtual std::vector<LevelPath> clearLevel(const Level& level,
+                                            Report& figures) const = 0;
+  /// @brief What clears that which the strategy left: @p material as it stands then.
+  virtual std::vector<LevelPath> clearRest(const Level& level,
+                                           Material& material) const;
 
 private:
   Tool tool_ = Tool::flat(1, 10.0);
-  double allowance_ = 0.5, step_down_ = 0.0, step_over_ = 4.0;
+  double allowance_ = 0.5, step_down_ = 0.0, step_over_ = 4.0, min_flat_ = 0.0;
   double min_thickness_ = 0.0, min_width_ = 0.0;
   double floor_ = std::numeric_limits<double>::quiet_NaN();
   std::shared_ptr<const StockField> stock_;
   std::shared_ptr<const PointIndex> part_;
   unsigned threads_ = 0;
-};
-
-/// @brief Zig-zag rows along X, each row from part to part; a row is entered from its
-/// neighbour wherever the tool can get across on the level (paper 001, i).
-class ZigZagRoughing : public LevelRoughing {
-public:
-  ZigZagRoughing() : LevelRoughing("ZigZagRoughing") {}
-
-protected:
-  std::vector<Chain> clearLevel(const LevelMap& map, double z) const override;
-};
-
-/// @brief Rectangular contours from the outside in; where one meets the part it follows
-/// the part's border clockwise until it is back on the contour (paper 001, ii).
-class SpiralRoughing : public LevelRoughing {
-public:
-  SpiralRoughing() : LevelRoughing("SpiralRoughing") {}
-
-protected:
-  std::vector<Chain> clearLevel(const LevelMap& map, double z) const override;
+  std::vector<NarrowPlace> narrow_;
 };
 
 } // namespace pointmill

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the PointMill authors
+#pragma once
+
+#include <pointmill/rough/level.h>
+
+#include <Eigen/Core>
+
+#include <cstddef>
+#include <vector>
+
+namespace pointmill {
+
+/// @brief What stands above one level, as a bitmap that a strategy mills in
+/// simulation. Cells are a node's cell, or its odd part.
+class Material {
+public:
+  enum Cell : unsigned char {
+    Air = 0,
+    Standing = 1, ///< stock that meets the tool, but is not to be cut on this level
+    ToCut = 2     ///< stock that the tool gets at from a node that is needed
+  };
+
+  /// @param parts cells along the edge of a node's cell, odd
+  explicit Material(const Level& level, int parts = 3);
+
+  const CellGrid& grid() const { return grid_; }
+  Cell at(int column, int row) const
+  {
+    return static_cast<Cell>(cells_[grid_.index(column, row)]);
+  }
+  /// @brief Air beyond the grid.
+  Cell at(const Eigen::Vector2d& p) const
+  {
+    const int column = grid_.columnOf(p.x()), row = grid_.rowOf(p.y());
+    return grid_.has(column, row) ? at(column, row) : Air;
+  }
+  /// @brief Cells that are left to cut.
+  std::size_t left() const { return left_; }
+
+  /// @brief Moves a disc of @p radius [mm] straight from @p a to @p b: cells whose
+  /// centres it passes over are air.
+  /// @return how many cells it took, of either kind
+  std::size_t cut(const Eigen::Vector2d& a, const Eigen::Vector2d& b, double radius);
+
+  /// @brief Mills a path: cells that are under the tool's end for certain are air.
+  void cut(const LevelPath& path);
+
+  /// @brief Cells whose centres are within this of the tool's axis are under its end as
+  /// a whole [mm].
+  double certainRadius() const;
+  /// @brief Set for the nodes at which the tool would cut something that is left to
+  /// cut.
+  std::vector<unsigned char> nodesToCut() const;
+
+private:
+  double radius_, z_;
+  CellGrid grid_, nodes_;
+  std::vector<unsigned char> cells_;
+  std::size_t left_ = 0;
+};
+
+} // namespace pointmill

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the PointMill authors
+#include "capsule.h"
+
+#include <pointmill/rough/material.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pointmill {
+namespace {
+
+/// Calls take(first place, last place) for the stretches of a row of `grid` in which
+/// set(column) holds.
+template <typename Set, typename Take>
+void forRuns(const CellGrid& grid, int row, Set&& set, Take&& take)
+{
+  for (int column = 0; column < grid.columns; ++column) {
+    if (!set(column))
+      continue;
+    const Eigen::Vector2d from(grid.x(column), grid.y(row));
+    while (column + 1 < grid.columns && set(column + 1))
+      ++column;
+    take(from, Eigen::Vector2d(grid.x(column), grid.y(row)));
+  }
+}
+
+} // namespace
+
+Material::Material(const Level& level, int parts)
+    : radius_(level.map().endRadius()), z_(level.z()), grid_(level.map().grid()),
+      nodes_(grid_)
+{
+  grid_.cell /= parts;
+  grid_.columns *= parts;
+  grid_.rows *= parts;
+  cells_.assign(grid_.size(), Air);
+  for (int row = 0; row < grid_.rows; ++row)
+    for (int column = 0; column < grid_.columns; ++column)
+      if (level.map().standing({column / parts, row / parts}) > z_ + 1e-3)
+        cells_[grid_.index(column, row)] = Standing;
+  for (int row = 0; row < nodes_.rows; ++row)
+    forRuns(
+        nodes_,
+        row,
+        [&](int column) {
+          return level.isNeeded({column, row});
+        },
+        [&](const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+          forCapsule(grid_, a, b, certainRadius(), [&](int r, int first, int last) {
+            unsigned char* line = &cells_[grid_.index(0, r)];
+            for (int c = first; c <= last; ++c)
+              if (line[c] == Standing) {
+                line[c] = ToCut;
+                ++left_;
+              }
+          });
+        });
+}
+
+std::size_t
+Material::cut(const Eigen::Vector2d& a, const Eigen::Vector2d& b, double radius)
+{
+  std::size_t taken = 0;
+  forCapsule(grid_, a, b, radius, [&](int row, int first, int last) {
+    unsigned char* line = &cells_[grid_.index(0, row)];
+    for (int column = first; column <= last; ++column) {
+      taken += line[column] != Air;
+      left_ -= line[column] == ToCut;
+      line[column] = Air;
+    }
+  });
+  return taken;
+}
+
+void Material::cut(const LevelPath& path)
+{
+  for (std::size_t i = 0; i < path.points.size(); ++i) {
+    const auto &a = path.points[i > 0 ? i - 1 : 0], &b = path.points[i];
+    if (std::max(a.at.z(), b.at.z()) <= z_ + 1e-3)
+      cut(a.at.head<2>(), b.at.head<2>(), certainRadius());
+  }
+}
+
+double Material::certainRadius() const
+{
+  return std::max(0.0, radius_ - grid_.cell * std::sqrt(0.5));
+}
+
+std::vector<unsigned char> Material::nodesToCut() const
+{
+  std::vector<unsigned char> nodes(nodes_.size(), 0);
+  for (int row = 0; row < grid_.rows; ++row)
+    forRuns(
+        grid_,
+        row,
+        [&](int column) { return cells_[grid_.index(column, row)] == ToCut; },
+        [&](const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+          forCapsule(nodes_, a, b, certainRadius(), [&](int r, int first, int last) {
+            std::fill_n(&nodes[nodes_.index(first, r)], last - first + 1, 1);
+          });
+        });
+  return nodes;
+}
+
+} // namespace pointmill
