@@ -3,6 +3,7 @@
 #pragma once
 
 #include <pointmill/common/error.h>
+#include <pointmill/rough/offset_roughing.h>
 #include <pointmill/rough/spiral_roughing.h>
 #include <pointmill/rough/zigzag_roughing.h>
 #include <pointmill/slice/occupancy_map.h>
@@ -115,13 +116,14 @@ protected:
   }
 };
 
-using Strategies = ::testing::Types<ZigZagRoughing, SpiralRoughing>;
+using Strategies = ::testing::Types<ZigZagRoughing, SpiralRoughing, OffsetRoughing>;
 
 struct StrategyNames {
   template <typename T>
   static std::string GetName(int)
   {
-    return std::is_same<T, ZigZagRoughing>::value ? "ZigZag" : "Spiral";
+    const std::string name = T().getName();
+    return name.substr(0, name.find("Roughing"));
   }
 };
 

@@ -65,13 +65,14 @@ LevelMap::LevelMap(const CellCloud& map,
                    const StockField& stock,
                    const Clearing& clearing,
                    unsigned threads)
-    : threads_(threads), tool_(clearing.tool)
+    : threads_(threads), tool_(clearing.tool), part_(part),
+      allowance_(clearing.allowance)
 {
   const CellGrid cells = CellGrid::of(map);
   // So that the tool can run round the stock and the part.
   extend(cells, stock.stock(), tool_.radius() + clearing.allowance + 2 * cells.cell);
   if (part)
-    dropOnPoints(*part, clearing.allowance);
+    dropOnPoints();
   else
     dropOnCells(map, clearing.allowance);
   measureStock(stock, clearing);
@@ -114,24 +115,41 @@ void LevelMap::dropOnCells(const CellCloud& map, double allowance)
     z += static_cast<float>(allowance);
 }
 
-void LevelMap::dropOnPoints(const PointIndex& part, double allowance)
+void LevelMap::dropOnPoints()
 {
-  const double r = tool_.tipRadius() + allowance;
-  const double wider = std::sqrt(r * r + grid_.cell * grid_.cell / 2) - r + 1e-4;
-  const Tool grown = tool_.grown(allowance + wider);
+  const double r = tool_.tipRadius() + allowance_;
+  wider_ = std::sqrt(r * r + grid_.cell * grid_.cell / 2) - r + 1e-4;
+  const Tool grown = tool_.grown(allowance_ + wider_);
   lowest_.assign(grid_.size(), kNothing);
   parallelFor(static_cast<std::size_t>(grid_.rows), threads_, [&](std::size_t row) {
     std::vector<Contact> contacts(static_cast<std::size_t>(grid_.columns));
-    part.dropRow(grown,
-                 {grid_.x(0), grid_.y(static_cast<int>(row))},
-                 {grid_.cell, 0},
-                 contacts.size(),
-                 contacts.data());
+    part_->dropRow(grown,
+                   {grid_.x(0), grid_.y(static_cast<int>(row))},
+                   {grid_.cell, 0},
+                   contacts.size(),
+                   contacts.data());
     for (std::size_t c = 0; c < contacts.size(); ++c)
       if (contacts[c].touches())
         lowest_[row * contacts.size() + c] =
-            static_cast<float>(contacts[c].tip + allowance + wider);
+            static_cast<float>(contacts[c].tip + allowance_ + wider_);
   });
+}
+
+double LevelMap::lowestAt(const Eigen::Vector2d& p) const
+{
+  if (!part_)
+    return lowestAlong(p, p);
+  const double more = allowance_ + wider_;
+  return part_->drop(tool_.grown(more), p.x(), p.y()).tip + more;
+}
+
+double LevelMap::lowestAlongPoints(const Eigen::Vector2d& a,
+                                   const Eigen::Vector2d& b) const
+{
+  if (!part_)
+    return lowestAlong(a, b);
+  return part_->dropAlong(tool_.grown(allowance_), a.x(), a.y(), b.x(), b.y()) +
+         allowance_;
 }
 
 double LevelMap::lowestAlong(const Eigen::Vector2d& a, const Eigen::Vector2d& b) const

@@ -48,7 +48,9 @@ struct Clearing {
 class LevelMap {
 public:
   /// @param map organised occupancy map of the part; empty cells hold no part
-  /// @param part the part's points and what bridges their gaps, or null
+  /// @param part the part's points and what bridges their gaps, or null; it must
+  /// outlive
+  ///        the map
   LevelMap(const CellCloud& map,
            const PointIndex* part,
            const StockField& stock,
@@ -71,6 +73,12 @@ public:
   /// @brief The lowest height at which the tool is proven to move level and straight
   /// from @p a to @p b; infinite beyond the nodes.
   double lowestAlong(const Eigen::Vector2d& a, const Eigen::Vector2d& b) const;
+  /// @brief The same of the points themselves, for moves beside walls: lower, and
+  /// slower. Without points it is the same.
+  double lowestAlongPoints(const Eigen::Vector2d& a, const Eigen::Vector2d& b) const;
+  /// @brief As lowest(), for a place between the nodes. Places no further apart than a
+  /// diagonal of a cell, where the tool may stand, have a safe straight move between.
+  double lowestAt(const Eigen::Vector2d& p) const;
 
   /// @brief Highest stock that is worth cutting under the tool's end [mm].
   double stockTop(Node n) const { return stock_top_[index(n)]; }
@@ -85,12 +93,14 @@ public:
 private:
   void extend(const CellGrid& cells, const Stock& box, double room);
   void dropOnCells(const CellCloud& map, double allowance);
-  void dropOnPoints(const PointIndex& part, double allowance);
+  void dropOnPoints();
   void measureStock(const StockField& stock, const Clearing& clearing);
 
   unsigned threads_;
   CellGrid grid_;
   Tool tool_;
+  const PointIndex* part_;
+  double allowance_, wider_ = 0.0; // wider_: see above
   std::vector<float> lowest_, stock_top_, standing_;
 };
 

@@ -37,6 +37,8 @@ public:
   }
   /// @brief Cells that are left to cut.
   std::size_t left() const { return left_; }
+  /// @brief What is left is meant to stand.
+  void leaveRest() { left_ = 0; }
 
   /// @brief Moves a disc of @p radius [mm] straight from @p a to @p b: cells whose
   /// centres it passes over are air.

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the PointMill authors
+#include "offset_rings.h"
+
+#include <pointmill/slice/distance_field.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pointmill {
+namespace {
+
+/// Lines nearer to each other than this many nodes would not be lines [nodes].
+constexpr double kNearest = 1.5;
+
+/// Distance of every node from the walls, or from where nothing is needed if there are
+/// no walls [mm].
+std::vector<float> depthField(const Level& level, bool walls)
+{
+  const CellGrid& grid = level.map().grid();
+  std::vector<unsigned char> outside(grid.size());
+  for (int row = 0; row < grid.rows; ++row)
+    for (int column = 0; column < grid.columns; ++column)
+      outside[grid.index(column, row)] =
+          walls ? !level.isFree({column, row}) : !level.isNeeded({column, row});
+  auto depth = distanceField(outside, grid.columns, grid.rows);
+  for (auto& d : depth)
+    d *= static_cast<float>(grid.cell);
+  return depth;
+}
+
+/// Numbers the connected pieces of what is inside, from `next` on; -1 outside.
+std::vector<int>
+label(const CellGrid& grid, const std::vector<unsigned char>& inside, int& next)
+{
+  std::vector<int> labels(grid.size(), -1);
+  std::vector<Node> open;
+  for (int row = 0; row < grid.rows; ++row)
+    for (int column = 0; column < grid.columns; ++column) {
+      if (!inside[grid.index(column, row)] || labels[grid.index(column, row)] >= 0)
+        continue;
+      labels[grid.index(column, row)] = next;
+      open.assign(1, {column, row});
+      while (!open.empty()) {
+        const Node n = open.back();
+        open.pop_back();
+        for (const Node step : {Node{1, 0}, Node{-1, 0}, Node{0, 1}, Node{0, -1}}) {
+          const Node to = n + step;
+          if (!grid.has(to.column, to.row))
+            continue;
+          const std::size_t i = grid.index(to.column, to.row);
+          if (inside[i] && labels[i] < 0) {
+            labels[i] = next;
+            open.push_back(to);
+          }
+        }
+      }
+      ++next;
+    }
+  return labels;
+}
+
+/// The label of the node inside that is next to a line.
+int labelBeside(const CellGrid& grid,
+                const std::vector<int>& labels,
+                const IsoLine& line)
+{
+  for (const auto& p : line.points) {
+    const int column = grid.columnOf(p.x()), row = grid.rowOf(p.y());
+    for (int r = std::max(0, row - 1); r <= std::min(grid.rows - 1, row + 1); ++r)
+      for (int c = std::max(0, column - 1); c <= std::min(grid.columns - 1, column + 1);
+           ++c)
+        if (labels[grid.index(c, r)] >= 0)
+          return labels[grid.index(c, r)];
+  }
+  return -1;
+}
+
+} // namespace
+
+bool hasWalls(const Level& level)
+{
+  const CellGrid& grid = level.map().grid();
+  for (int row = 0; row < grid.rows; ++row)
+    for (int column = 0; column < grid.columns; ++column)
+      if (!level.isFree({column, row}))
+        return true;
+  return false;
+}
+
+std::vector<OffsetArea> offsetAreas(const Level& level, bool walls)
+{
+  const CellGrid& grid = level.map().grid();
+  const auto depth = depthField(level, walls);
+  double deepest = 0;
+  for (int row = 0; row < grid.rows; ++row)
+    for (int column = 0; column < grid.columns; ++column)
+      if (level.isNeeded({column, row}))
+        deepest = std::max<double>(deepest, depth[grid.index(column, row)]);
+
+  const double step = std::max(level.stepOver(), kNearest * grid.cell);
+  std::vector<OffsetArea> areas;
+  std::vector<int> above; // labels of the last distance
+  std::vector<unsigned char> inside(grid.size());
+  for (int k = 0; k * step <= deepest; ++k) {
+    const double least = k > 0 ? k * step : 1e-6;
+    for (std::size_t i = 0; i < inside.size(); ++i)
+      inside[i] = depth[i] >= least;
+    int next = static_cast<int>(areas.size());
+    const int first = next;
+    const auto labels = label(grid, inside, next);
+    areas.resize(static_cast<std::size_t>(next));
+    if (k > 0)
+      for (std::size_t i = 0; i < labels.size(); ++i)
+        if (labels[i] >= first)
+          areas[labels[i]].parent = above[i];
+    const auto lines =
+        k == 0 && walls
+            ? wallLines(level)
+            : isoLines(grid, inside, [&](Node in, Node out) -> Eigen::Vector2d {
+                const double a = depth[grid.index(in.column, in.row)];
+                const double b = depth[grid.index(out.column, out.row)];
+                const double t = std::isfinite(a) ? (a - least) / (a - b) : 0.5;
+                return level.map().at(in) +
+                       std::clamp(t, 0.0, 1.0) *
+                           (level.map().at(out) - level.map().at(in));
+              });
+    for (const auto& line : lines) {
+      const int area = labelBeside(grid, labels, line);
+      if (area < 0)
+        continue;
+      for (auto& stretch : neededStretches(level, line, level.stepOver())) {
+        if (!walls) // what is left to cut lies within
+          std::reverse(stretch.points.begin(), stretch.points.end());
+        areas[area].lines.push_back(std::move(stretch));
+      }
+    }
+    above = labels;
+  }
+  return areas;
+}
+
+} // namespace pointmill

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the PointMill authors
+#include "wall_lines.h"
+
+// Boost 1.74 includes a header of its own that it calls deprecated.
+#define BOOST_ALLOW_DEPRECATED_HEADERS
+#include <boost/geometry.hpp>
+#include <boost/geometry/geometries/linestring.hpp>
+#include <boost/geometry/geometries/point_xy.hpp>
+
+#include <algorithm>
+
+namespace pointmill {
+namespace {
+
+constexpr int kHalvings = 4;
+
+/// Whether something is needed at a node of the square that @p p lies in.
+bool isNeeded(const Level& level, const Eigen::Vector2d& p)
+{
+  const CellGrid& grid = level.map().grid();
+  const double half = grid.cell / 2;
+  const int column = grid.columnOf(p.x() - half), row = grid.rowOf(p.y() - half);
+  return level.isNeeded({column, row}) || level.isNeeded({column + 1, row}) ||
+         level.isNeeded({column, row + 1}) || level.isNeeded({column + 1, row + 1});
+}
+
+} // namespace
+
+std::vector<IsoLine> wallLines(const Level& level)
+{
+  const LevelMap& map = level.map();
+  const CellGrid& grid = map.grid();
+  std::vector<unsigned char> free(grid.size());
+  for (int row = 0; row < grid.rows; ++row)
+    for (int column = 0; column < grid.columns; ++column)
+      free[grid.index(column, row)] = level.isFree({column, row});
+  return isoLines(grid, free, [&](Node in, Node out) {
+    Eigen::Vector2d good = map.at(in), bad = map.at(out);
+    for (int i = 0; i < kHalvings; ++i) {
+      const Eigen::Vector2d middle = (good + bad) / 2;
+      (map.lowestAt(middle) <= level.z() ? good : bad) = middle;
+    }
+    return good;
+  });
+}
+
+std::vector<Eigen::Vector2d>
+simplified(const Level& level, std::vector<Eigen::Vector2d> line, double tolerance)
+{
+  namespace bg = boost::geometry;
+  using Place = bg::model::d2::point_xy<double>;
+  bg::model::linestring<Place> all, few;
+  for (const auto& p : line)
+    all.emplace_back(p.x(), p.y());
+  bg::simplify(all, few, tolerance);
+  // Each stretch by itself: one that is not proven keeps its points.
+  std::vector<Eigen::Vector2d> kept{line.front()};
+  std::size_t at = 0;
+  for (std::size_t k = 1; k < few.size(); ++k) {
+    std::size_t to = at + 1;
+    while (to + 1 < line.size() &&
+           (line[to].x() != few[k].x() || line[to].y() != few[k].y()))
+      ++to;
+    if (to > at + 1 && !level.isFree(line[at], line[to]) &&
+        !level.isFreeOfPoints(line[at], line[to]))
+      kept.insert(kept.end(), line.begin() + at + 1, line.begin() + to);
+    kept.push_back(line[to]);
+    at = to;
+  }
+  return kept;
+}
+
+std::vector<IsoLine>
+neededStretches(const Level& level, const IsoLine& line, double gap)
+{
+  std::vector<Eigen::Vector2d> points = line.points;
+  const auto needed = [&](const Eigen::Vector2d& p) { return isNeeded(level, p); };
+  if (line.closed) {
+    // Begin where nothing is needed, if anywhere, behind the longest such stretch.
+    const std::size_t n = points.size();
+    std::size_t best = n, longest = 0, run = 0;
+    for (std::size_t i = 0; i < 2 * n; ++i) {
+      run = needed(points[i % n]) ? 0 : run + 1;
+      if (run > longest && run <= n) {
+        longest = run;
+        best = i % n;
+      }
+    }
+    if (longest == 0)
+      return {line};
+    std::rotate(points.begin(), points.begin() + best, points.end());
+    points.push_back(points.front());
+  }
+  std::vector<IsoLine> stretches;
+  double idle = 0;
+  std::size_t first = 0, last = 0;
+  bool open = false;
+  const auto close = [&] {
+    if (open)
+      stretches.push_back({{points.begin() + (first > 0 ? first - 1 : 0),
+                            points.begin() + std::min(last + 2, points.size())},
+                           false});
+    open = false;
+  };
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (i > 0)
+      idle += (points[i] - points[i - 1]).norm();
+    if (!needed(points[i]))
+      continue;
+    if (open && idle > gap)
+      close();
+    if (!open)
+      first = i;
+    open = true;
+    last = i;
+    idle = 0;
+  }
+  close();
+  return stretches;
+}
+
+} // namespace pointmill

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the PointMill authors
+#include "wall_lines.h"
+
+#include <pointmill/rough/waterline_roughing.h>
+
+namespace pointmill {
+
+std::vector<LevelPath> WaterlineRoughing::clearLevel(const Level& level, Report&) const
+{
+  const double cell = level.map().grid().cell;
+  std::vector<LevelPath> paths;
+  for (const auto& wall : wallLines(level))
+    for (auto& stretch : neededStretches(level, wall, level.stepOver())) {
+      if (stretch.closed)
+        stretch.points.push_back(stretch.points.front());
+      LevelPath path;
+      path.reversible = false;
+      for (const auto& p : simplified(level, std::move(stretch.points), cell / 16))
+        path.points.push_back({level.at(p)});
+      if (path.points.size() > 1)
+        paths.push_back(std::move(path));
+    }
+  return paths;
+}
+
+std::vector<LevelPath> WaterlineRoughing::clearRest(const Level&,
+                                                    Material& material) const
+{
+  material.leaveRest();
+  return {};
+}
+
+} // namespace pointmill
