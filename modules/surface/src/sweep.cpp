@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the PointMill authors
+#include <pointmill/common/maximum.h>
 #include <pointmill/surface/sweep.h>
 
 #include <algorithm>
@@ -10,33 +11,6 @@ namespace pointmill {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-/// Largest value of the concave f on [lo, hi], by golden section.
-template <typename F>
-double maximumOf(double lo, double hi, F f)
-{
-  const double golden = 0.5 * (std::sqrt(5.0) - 1.0);
-  double u = hi - golden * (hi - lo), v = lo + golden * (hi - lo);
-  double fu = f(u), fv = f(v), best = std::max({f(lo), f(hi), fu, fv});
-  for (int i = 0; i < 45; ++i) {
-    if (fu > fv) {
-      hi = v;
-      v = u;
-      fv = fu;
-      u = hi - golden * (hi - lo);
-      fu = f(u);
-    }
-    else {
-      lo = u;
-      u = v;
-      fu = fv;
-      v = lo + golden * (hi - lo);
-      fv = f(v);
-    }
-    best = std::max({best, fu, fv});
-  }
-  return best;
-}
 
 } // namespace
 
