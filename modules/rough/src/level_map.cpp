@@ -66,15 +66,18 @@ LevelMap::LevelMap(const CellCloud& map,
                    const Clearing& clearing,
                    unsigned threads)
     : threads_(threads), tool_(clearing.tool), part_(part),
-      allowance_(clearing.allowance)
+      keep_out_(clearing.keep_out), allowance_(clearing.allowance)
 {
   const CellGrid cells = CellGrid::of(map);
   // So that the tool can run round the stock and the part.
   extend(cells, stock.stock(), tool_.radius() + clearing.allowance + 2 * cells.cell);
+  const double r = tool_.tipRadius() + allowance_;
+  wider_ = std::sqrt(r * r + grid_.cell * grid_.cell / 2) - r + 1e-4;
   if (part)
     dropOnPoints();
   else
     dropOnCells(map, clearing.allowance);
+  keepOut();
   measureStock(stock, clearing);
 }
 
@@ -117,8 +120,6 @@ void LevelMap::dropOnCells(const CellCloud& map, double allowance)
 
 void LevelMap::dropOnPoints()
 {
-  const double r = tool_.tipRadius() + allowance_;
-  wider_ = std::sqrt(r * r + grid_.cell * grid_.cell / 2) - r + 1e-4;
   const Tool grown = tool_.grown(allowance_ + wider_);
   lowest_.assign(grid_.size(), kNothing);
   parallelFor(static_cast<std::size_t>(grid_.rows), threads_, [&](std::size_t row) {
@@ -135,12 +136,27 @@ void LevelMap::dropOnPoints()
   });
 }
 
+void LevelMap::keepOut()
+{
+  if (keep_out_.empty())
+    return;
+  without_zones_ = lowest_;
+  const CutterProfile grown = tool_.grown(wider_).profile();
+  for (int row = 0; row < grid_.rows; ++row)
+    for (int column = 0; column < grid_.columns; ++column) {
+      float& z = lowest_[grid_.index(column, row)];
+      const double clear = keep_out_.lowest(grown, grid_.x(column), grid_.y(row));
+      z = std::max(z, static_cast<float>(clear + wider_));
+    }
+}
+
 double LevelMap::lowestAt(const Eigen::Vector2d& p) const
 {
   if (!part_)
     return lowestAlong(p, p);
   const double more = allowance_ + wider_;
-  return part_->drop(tool_.grown(more), p.x(), p.y()).tip + more;
+  return std::max(part_->drop(tool_.grown(more), p.x(), p.y()).tip + more,
+                  keep_out_.lowest(tool_.grown(wider_), p.x(), p.y()) + wider_);
 }
 
 double LevelMap::lowestAlongPoints(const Eigen::Vector2d& a,
@@ -148,8 +164,28 @@ double LevelMap::lowestAlongPoints(const Eigen::Vector2d& a,
 {
   if (!part_)
     return lowestAlong(a, b);
-  return part_->dropAlong(tool_.grown(allowance_), a.x(), a.y(), b.x(), b.y()) +
-         allowance_;
+  return std::max(
+      part_->dropAlong(tool_.grown(allowance_), a.x(), a.y(), b.x(), b.y()) +
+          allowance_,
+      keep_out_.lowestAlong(tool_, a.x(), a.y(), b.x(), b.y()));
+}
+
+std::vector<float> LevelMap::reach(bool zones) const
+{
+  // Under the tool for certain: what a pass over the node would cut away.
+  const double certain = std::max(0.0, tool_.radius() - std::sqrt(0.5) * grid_.cell);
+  const auto under = [&](double dx, double dy) {
+    const double d = std::hypot(dx, dy);
+    return d <= certain ? tool_.profile(d) : std::numeric_limits<double>::infinity();
+  };
+  auto depth = zones || keep_out_.empty() ? lowest_ : without_zones_;
+  for (auto& z : depth) // a lower envelope is the upper one of the negative
+    z = -z;
+  depth =
+      filterMax(grid_, depth, footprint(tool_.radius(), grid_.cell, under), threads_);
+  for (auto& z : depth)
+    z = -z;
+  return depth;
 }
 
 double LevelMap::lowestAlong(const Eigen::Vector2d& a, const Eigen::Vector2d& b) const
@@ -200,23 +236,12 @@ void LevelMap::measureStock(const StockField& stock, const Clearing& clearing)
       standing_[grid_.index(c, r)] =
           static_cast<float>(stock.highest(grid_.x(c), grid_.y(r), cell / 4));
   auto worth = standing_;
-  // Under the tool for certain: what a pass over the node would cut away.
-  const double unsure = std::sqrt(2.0) * stock.cellSize();
-  const double certain = std::max(0.0, tool_.radius() - unsure);
-  const auto under = [&](double dx, double dy) {
-    const double d = std::hypot(dx, dy);
-    return d <= certain ? tool_.profile(d) : std::numeric_limits<double>::infinity();
-  };
   if (clearing.min_thickness > 0) {
     // Leave what is not much thicker than the tool would leave it ...
-    auto depth = lowest_; // a lower envelope is the upper one of the negative
-    for (auto& z : depth)
-      z = -z;
-    const auto left_over =
-        filterMax(grid_, depth, footprint(tool_.radius(), cell, under), threads_);
+    const auto left_over = reach();
     std::vector<unsigned char> thin(grid_.size()), core(grid_.size());
     for (std::size_t i = 0; i < worth.size(); ++i)
-      thin[i] = !(worth[i] + left_over[i] > clearing.min_thickness);
+      thin[i] = !(worth[i] - left_over[i] > clearing.min_thickness);
     // ... and what is thick only as a skin on a wall.
     const double half_width = clearing.min_width / 2 / cell;
     const auto to_thin = distanceField(thin, grid_.columns, grid_.rows);
@@ -227,7 +252,7 @@ void LevelMap::measureStock(const StockField& stock, const Clearing& clearing)
       if (thin[i] || to_core[i] > half_width)
         worth[i] = kNothing;
   }
-  const double end = std::max(0.0, endRadius() - unsure);
+  const double end = std::max(0.0, endRadius() - std::sqrt(2.0) * stock.cellSize());
   const auto under_end = [&](double dx, double dy) {
     return std::hypot(dx, dy) <= end ? 0.0 : std::numeric_limits<double>::infinity();
   };

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the PointMill authors
+#include "out_of_reach.h"
 #include "planes.h"
 #include "region_order.h"
 
@@ -54,6 +55,7 @@ void LevelRoughing::checkParameters() const
 
 void LevelRoughing::apply(CLCloud& output)
 {
+  narrow_.clear();
   if (indices_->size() != input_->size())
     throw DataError(getName() + ": a map is roughed as a whole; it takes no indices");
   const CellGrid cells = CellGrid::of(*input_);
@@ -75,14 +77,11 @@ void LevelRoughing::apply(CLCloud& output)
   const LevelMap map(*input_,
                      part_.get(),
                      *stock,
-                     {tool_, allowance_, min_thickness_, min_width_},
+                     {tool_, allowance_, min_thickness_, min_width_, keep_out_},
                      threads_);
-  const auto planes = planesOf(
-      map,
-      floor,
-      stock->stock().top(),
-      step_down_ > 0 ? step_down_ : ZSlices::pitchForDiameter(tool_.endDiameter()),
-      min_flat_);
+  const double step_down =
+      step_down_ > 0 ? step_down_ : ZSlices::pitchForDiameter(tool_.endDiameter());
+  const auto planes = planesOf(map, floor, stock->stock().top(), step_down, min_flat_);
 
   struct Work {
     std::vector<LevelPath> paths;
@@ -131,6 +130,11 @@ void LevelRoughing::apply(CLCloud& output)
   report_.set("levels_cut", static_cast<double>(used));
   report_.set("passes", label);
   report_.set("cl_points", static_cast<double>(output.size()));
+  const OutOfReach out = outOfReach(map, *input_, allowance_, floor, 2 * step_down);
+  narrow_ = out.narrow;
+  report_.set("narrow_places", static_cast<double>(out.narrow.size()));
+  report_.set("narrow_mm3", out.narrow_volume);
+  report_.set("kept_out_mm3", out.kept_out_volume);
   report_.set("missed_mm2", static_cast<double>(left) * cells.cell * cells.cell);
 }
 

@@ -2,6 +2,7 @@
 // Copyright (c) 2026, the PointMill authors
 #pragma once
 
+#include <pointmill/common/keep_out.h>
 #include <pointmill/slice/cell_grid.h>
 #include <pointmill/surface/point_index.h>
 #include <pointmill/surface/stock_field.h>
@@ -30,6 +31,8 @@ struct Clearing {
   double min_thickness = 0.0;
   /// Nor is thicker stock that is a skin narrower than this [mm].
   double min_width = 0.0;
+  /// Where no tool may be.
+  KeepOut keep_out;
 };
 
 /// @brief Everything that roughing needs to know of a part, a tool and a stock: on a
@@ -85,6 +88,11 @@ public:
   /// @brief Highest stock in the node's own cell [mm], worth cutting or not.
   double standing(Node n) const { return standing_[index(n)]; }
 
+  /// @brief How low the stock can be milled over each node's cell, whatever stands
+  /// there now: the lowest that the tool's lower surface gets [mm].
+  /// @param zones whether the zones that are kept out of count
+  std::vector<float> reach(bool zones = true) const;
+
   /// @brief A number for every node, the same where the tool, on whatever level, may
   /// cut the same stock: nodes that are needed on some level and less than a diameter
   /// apart. 0: far from all stock.
@@ -94,14 +102,16 @@ private:
   void extend(const CellGrid& cells, const Stock& box, double room);
   void dropOnCells(const CellCloud& map, double allowance);
   void dropOnPoints();
+  void keepOut();
   void measureStock(const StockField& stock, const Clearing& clearing);
 
   unsigned threads_;
   CellGrid grid_;
   Tool tool_;
   const PointIndex* part_;
-  double allowance_, wider_ = 0.0; // wider_: see above
-  std::vector<float> lowest_, stock_top_, standing_;
+  KeepOut keep_out_;
+  double allowance_, wider_; // wider_: see above
+  std::vector<float> lowest_, without_zones_, stock_top_, standing_;
 };
 
 } // namespace pointmill

@@ -5,18 +5,12 @@
 #include <pointmill/common/stage.h>
 #include <pointmill/rough/level.h>
 #include <pointmill/rough/material.h>
+#include <pointmill/rough/narrow_place.h>
 
 #include <memory>
 #include <vector>
 
 namespace pointmill {
-
-/// @brief A place of the part that roughing leaves as the tool does not get in there.
-struct NarrowPlace {
-  Eigen::Vector3d at; ///< its widest spot, the top of what is left there [mm]
-  double area;        ///< [mm2]
-  double volume;      ///< that is left above the part and its allowance [mm3]
-};
 
 /// @brief Roughing level by level, from an occupancy map to the CL points of the
 /// cutting passes: one pass (`label`) per connected path, `level` counted from 0 at the
@@ -64,6 +58,9 @@ public:
   /// @brief The part's points, with what bridges their gaps, for exact heights; without
   /// them the map's cells are what is kept clear of.
   void setPart(std::shared_ptr<const PointIndex> part) { part_ = std::move(part); }
+  /// @brief Where no tool may be, clamps say.
+  void setKeepOut(KeepOut zones) { keep_out_ = std::move(zones); }
+  const KeepOut& getKeepOut() const { return keep_out_; }
   void setNumberOfThreads(unsigned threads) { threads_ = threads; }
 
   /// @brief Of the last run, the largest first.
@@ -104,6 +101,7 @@ private:
   double floor_ = std::numeric_limits<double>::quiet_NaN();
   std::shared_ptr<const StockField> stock_;
   std::shared_ptr<const PointIndex> part_;
+  KeepOut keep_out_;
   unsigned threads_ = 0;
   std::vector<NarrowPlace> narrow_;
 };

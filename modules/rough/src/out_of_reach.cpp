@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the PointMill authors
+#include "out_of_reach.h"
+
+#include <pointmill/slice/distance_field.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pointmill {
+namespace {
+
+/// The connected pieces of what is set, as lists of cells.
+std::vector<std::vector<std::size_t>> pieces(const CellGrid& grid,
+                                             std::vector<unsigned char> set)
+{
+  std::vector<std::vector<std::size_t>> all;
+  for (std::size_t seed = 0; seed < set.size(); ++seed) {
+    if (!set[seed])
+      continue;
+    std::vector<std::size_t> piece{seed};
+    set[seed] = 0;
+    for (std::size_t k = 0; k < piece.size(); ++k) {
+      const int column = static_cast<int>(piece[k] % grid.columns);
+      const int row = static_cast<int>(piece[k] / grid.columns);
+      for (int r = std::max(0, row - 1); r <= std::min(grid.rows - 1, row + 1); ++r)
+        for (int c = std::max(0, column - 1);
+             c <= std::min(grid.columns - 1, column + 1);
+             ++c)
+          if (set[grid.index(c, r)]) {
+            set[grid.index(c, r)] = 0;
+            piece.push_back(grid.index(c, r));
+          }
+    }
+    all.push_back(std::move(piece));
+  }
+  return all;
+}
+
+} // namespace
+
+OutOfReach outOfReach(const LevelMap& map,
+                      const CellCloud& cells,
+                      double allowance,
+                      double floor,
+                      double depth)
+{
+  const CellGrid& grid = map.grid();
+  const double area = grid.cell * grid.cell;
+  std::vector<float> ground(grid.size(), static_cast<float>(floor));
+  for (const auto& cell : cells)
+    if (cell.getState() != CellState::Empty)
+      ground[grid.index(grid.columnOf(cell.x), grid.rowOf(cell.y))] =
+          static_cast<float>(std::max<double>(cell.z + allowance, floor));
+
+  OutOfReach result;
+  const auto free = map.reach(false), reach = map.reach();
+  std::vector<unsigned char> thick(grid.size()), core(grid.size());
+  const auto standing = [&](std::size_t i) {
+    return map.standing(
+        {static_cast<int>(i % grid.columns), static_cast<int>(i / grid.columns)});
+  };
+  const auto left = [&](const std::vector<float>& down_to, std::size_t i) {
+    return std::min<double>(standing(i), down_to[i]) - ground[i];
+  };
+  for (std::size_t i = 0; i < thick.size(); ++i) {
+    thick[i] = left(free, i) > depth;
+    const double low = std::max<double>(free[i], ground[i]);
+    const double kept = std::min<double>(standing(i), reach[i]) - low;
+    if (kept > 0)
+      result.kept_out_volume += kept * area;
+  }
+  // The allowance, and what the cells cost, stays along every wall.
+  const double skin = allowance / grid.cell + 2;
+  std::vector<unsigned char> thin(thick.size());
+  for (std::size_t i = 0; i < thick.size(); ++i)
+    thin[i] = !thick[i];
+  const auto inside = distanceField(thin, grid.columns, grid.rows);
+  for (std::size_t i = 0; i < core.size(); ++i)
+    core[i] = thick[i] && inside[i] > skin;
+  const auto to_core = distanceField(core, grid.columns, grid.rows);
+  for (std::size_t i = 0; i < core.size(); ++i)
+    thick[i] = thick[i] && to_core[i] <= skin;
+
+  for (const auto& piece : pieces(grid, thick)) {
+    NarrowPlace place;
+    std::size_t widest = piece.front();
+    for (const auto i : piece) {
+      place.area += area;
+      place.volume += left(free, i) * area;
+      if (inside[i] > inside[widest])
+        widest = i;
+    }
+    place.at = {grid.x(static_cast<int>(widest % grid.columns)),
+                grid.y(static_cast<int>(widest / grid.columns)),
+                ground[widest]};
+    result.narrow_volume += place.volume;
+    result.narrow.push_back(place);
+  }
+  std::stable_sort(result.narrow.begin(),
+                   result.narrow.end(),
+                   [](const auto& a, const auto& b) { return a.volume > b.volume; });
+  return result;
+}
+
+} // namespace pointmill
