@@ -14,8 +14,12 @@ namespace pointmill {
 
 /// @brief What a move takes from the stock.
 struct Cut {
+  /// A thinner layer is swarf, or what rounding left: it has no area [mm].
+  static constexpr double kSwarf = 0.05;
+
   double depth = 0;  ///< thickest layer [mm]
   double volume = 0; ///< [mm3]
+  double area = 0;   ///< of the ground that lost more than kSwarf [mm2]
 };
 
 /// @brief What still stands of the stock, as a height over each cell of a regular grid
@@ -44,6 +48,9 @@ public:
     return cut(tool, a, b, 0, rows_);
   }
 
+  /// @brief What the move would take if it were made, by the cells' centres.
+  Cut probe(const Tool& tool, const Eigen::Vector3d& a, const Eigen::Vector3d& b) const;
+
   /// @brief The highest stock within @p radius of the segment from (ax, ay) to (bx,
   /// by), -infinity where there is none.
   double highest(double ax, double ay, double bx, double by, double radius) const;
@@ -68,6 +75,12 @@ public:
   CellCloud toCloud() const;
 
 private:
+  /// Columns and rows whose cells' centres a tool may pass over.
+  struct Window {
+    int c0, c1, r0, r1;
+  };
+  Window under(double radius, const Eigen::Vector3d& a, const Eigen::Vector3d& b) const;
+
   Stock stock_;
   double cell_;
   Bound bound_;
