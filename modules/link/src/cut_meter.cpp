@@ -37,7 +37,7 @@ CutMeter::cut(const Eigen::Vector3d& from, const Eigen::Vector3d& to, Motion mot
     const bool cuts = taken.depth > kTouch;
     (cuts ? figures_.material_length : figures_.air_length) += length / pieces;
     figures_.volume += taken.volume;
-    figures_.max_axial = std::max(figures_.max_axial, taken.depth);
+    figures_.max_axial = std::max(figures_.max_axial, taken.axial);
     if (cuts && !entry) {
       area_ += std::min(taken.area, tool_.diameter * run / pieces);
       run_ += run / pieces;

@@ -16,6 +16,18 @@ namespace {
 constexpr int kRun = 8;
 /// More than what rounding takes from lengths and heights [mm].
 constexpr double kRounding = 1e-9;
+/// More than what float32 takes from a height [mm].
+constexpr double kStored = 1e-4;
+
+/// Where a tool gets that goes on level for its diameter after the move from a to b.
+Eigen::Vector3d
+onwards(const Tool& tool, const Eigen::Vector3d& a, const Eigen::Vector3d& b)
+{
+  Eigen::Vector3d way = b - a;
+  way.z() = 0;
+  const double length = way.norm();
+  return length > 0 ? b + way * (tool.diameter / length) : b;
+}
 
 } // namespace
 
@@ -77,7 +89,21 @@ Cut StockField::cut(const Tool& tool,
   const double lowest = std::min(a.z(), b.z());
   const double dx = b.x() - a.x(), dy = b.y() - a.y(), len2 = dx * dx + dy * dy;
   Cut taken;
-  long wide = 0; // cells that lost more than swarf
+  long begun = 0; // cells that count for the area
+  const Eigen::Vector3d ahead = onwards(tool, a, b);
+  const auto countCell = [&](double before, double after, double cx, double cy) {
+    taken.depth = std::max(taken.depth, before - after);
+    taken.volume += (before - after) * cell_ * cell_;
+    if (bound_ == Bound::Upper)
+      return;
+    // The cutter cut here before if its surface lay on the ground at the beginning.
+    const double ax = cx - a.x(), ay = cy - a.y();
+    if (a.z() + cutter.height(std::sqrt(ax * ax + ay * ay)) <= before + kStored)
+      return;
+    const double all = before - std::min(after, sweptHeight(cutter, b, ahead, cx, cy));
+    begun += all > Cut::kSwarf;
+    taken.axial = std::max(taken.axial, all);
+  };
   // No lower than this over y from x0 to x1: the tip is nowhere lower, and the axis no
   // nearer than the move's box is.
   const double left = std::min(a.x(), b.x()), right = std::max(a.x(), b.x());
@@ -109,9 +135,7 @@ Cut StockField::cut(const Tool& tool,
     else
       h = sweptHeight(cutter, a, b, cx, cy);
     if (h < cell) {
-      taken.depth = std::max(taken.depth, cell - h);
-      taken.volume += (cell - h) * cell_ * cell_;
-      wide += cell - h > Cut::kSwarf;
+      countCell(cell, h, cx, cy);
       // float32 must not round an upper bound down
       float stored = static_cast<float>(h);
       if (guard > 0 && stored < h)
@@ -132,7 +156,8 @@ Cut StockField::cut(const Tool& tool,
       tops[run] = *std::max_element(line + first, line + last + 1);
     }
   }
-  taken.area = static_cast<double>(wide) * cell_ * cell_;
+  taken.area = static_cast<double>(begun) * cell_ * cell_;
+  taken.axial = std::max(taken.axial, taken.depth);
   return taken;
 }
 
@@ -144,7 +169,6 @@ Cut StockField::probe(const Tool& tool,
   const Window window = under(tool.radius(), a, b);
   const double lowest = std::min(a.z(), b.z());
   Cut taken;
-  long wide = 0;
   for (int row = window.r0; row <= window.r1; ++row)
     for (int run = window.c0 / kRun; run * kRun <= window.c1; ++run) {
       if (top_[static_cast<std::size_t>(row) * runs_ + run] <= lowest)
@@ -158,10 +182,8 @@ Cut StockField::probe(const Tool& tool,
           continue;
         taken.depth = std::max(taken.depth, cell - h);
         taken.volume += (cell - h) * cell_ * cell_;
-        wide += cell - h > Cut::kSwarf;
       }
     }
-  taken.area = static_cast<double>(wide) * cell_ * cell_;
   return taken;
 }
 

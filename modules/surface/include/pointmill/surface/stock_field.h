@@ -19,7 +19,12 @@ struct Cut {
 
   double depth = 0;  ///< thickest layer [mm]
   double volume = 0; ///< [mm3]
-  double area = 0;   ///< of the ground that lost more than kSwarf [mm2]
+  /// Ground that the cutter begins to cut, so that what it cuts in several moves counts
+  /// once, if it loses more than kSwarf should the move go on level for a diameter
+  /// [mm2]. Divided by the way in XY it is the width of the cut, by nominal heights.
+  double area = 0;
+  /// Thickest layer, on that ground with what it loses then [mm].
+  double axial = 0;
 };
 
 /// @brief What still stands of the stock, as a height over each cell of a regular grid
@@ -48,7 +53,8 @@ public:
     return cut(tool, a, b, 0, rows_);
   }
 
-  /// @brief What the move would take if it were made, by the cells' centres.
+  /// @brief Depth and volume that the move would take if it were made, by the cells'
+  /// centres.
   Cut probe(const Tool& tool, const Eigen::Vector3d& a, const Eigen::Vector3d& b) const;
 
   /// @brief The highest stock within @p radius of the segment from (ax, ay) to (bx,
