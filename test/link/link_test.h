@@ -110,7 +110,7 @@ inline void expectSound(const CLCloud& path,
           motion == Motion::LeadIn ? 2 * cutting.plunge_feed : cutting.plunge_feed;
       EXPECT_LE(path[i].feed * down / (b - a).norm(), 1.0001 * fastest) << i;
     }
-    if (motion == Motion::Plunge || motion == Motion::LeadIn) {
+    if (motion == Motion::Plunge) {
       EXPECT_EQ(across, 0) << i;
     }
     if (motion == Motion::Ramp) {

@@ -16,6 +16,18 @@ namespace {
 constexpr int kRun = 8;
 /// More than what rounding takes from lengths and heights [mm].
 constexpr double kRounding = 1e-9;
+/// More than what float32 takes from a height [mm].
+constexpr double kStored = 1e-4;
+
+/// Where a tool gets that goes on level for its diameter after the move from a to b.
+Eigen::Vector3d
+onwards(const Tool& tool, const Eigen::Vector3d& a, const Eigen::Vector3d& b)
+{
+  Eigen::Vector3d way = b - a;
+  way.z() = 0;
+  const double length = way.norm();
+  return length > 0 ? b + way * (tool.diameter / length) : b;
+}
 
 } // namespace
 
@@ -46,6 +58,22 @@ int StockField::rowOf(double y) const
   return static_cast<int>(std::clamp(row, 0.0, rows_ - 1.0));
 }
 
+StockField::Window StockField::under(double radius,
+                                     const Eigen::Vector3d& a,
+                                     const Eigen::Vector3d& b) const
+{
+  const auto index = [&](double v, double origin) {
+    return static_cast<int>(
+        std::clamp((v - origin) / cell_ - 0.5, -1e9, 1e9)); // towards zero: wide enough
+  };
+  return {
+      std::max(0, index(std::min(a.x(), b.x()) - radius, stock_.min.x())),
+      std::min(columns_ - 1,
+               index(std::max(a.x(), b.x()) + radius, stock_.min.x()) + 1),
+      std::max(0, index(std::min(a.y(), b.y()) - radius, stock_.min.y())),
+      std::min(rows_ - 1, index(std::max(a.y(), b.y()) + radius, stock_.min.y()) + 1)};
+}
+
 Cut StockField::cut(const Tool& tool,
                     const Eigen::Vector3d& a,
                     const Eigen::Vector3d& b,
@@ -54,20 +82,28 @@ Cut StockField::cut(const Tool& tool,
 {
   const CutterProfile cutter = tool.profile();
   const double r = tool.radius();
-  const auto index = [&](double v, double origin) {
-    return static_cast<int>(
-        std::clamp((v - origin) / cell_ - 0.5, -1e9, 1e9)); // towards zero: wide enough
-  };
-  const int c0 = std::max(0, index(std::min(a.x(), b.x()) - r, stock_.min.x()));
-  const int c1 =
-      std::min(columns_ - 1, index(std::max(a.x(), b.x()) + r, stock_.min.x()) + 1);
-  const int r0 = std::max(row0, index(std::min(a.y(), b.y()) - r, stock_.min.y()));
-  const int r1 =
-      std::min(row1 - 1, index(std::max(a.y(), b.y()) + r, stock_.min.y()) + 1);
+  const Window window = under(r, a, b);
+  const int c0 = window.c0, c1 = window.c1;
+  const int r0 = std::max(row0, window.r0), r1 = std::min(row1 - 1, window.r1);
   const double guard = bound_ == Bound::Upper ? cell_ * std::sqrt(0.5) : 0.0;
   const double lowest = std::min(a.z(), b.z());
   const double dx = b.x() - a.x(), dy = b.y() - a.y(), len2 = dx * dx + dy * dy;
   Cut taken;
+  long begun = 0; // cells that count for the area
+  const Eigen::Vector3d ahead = onwards(tool, a, b);
+  const auto countCell = [&](double before, double after, double cx, double cy) {
+    taken.depth = std::max(taken.depth, before - after);
+    taken.volume += (before - after) * cell_ * cell_;
+    if (bound_ == Bound::Upper)
+      return;
+    // The cutter cut here before if its surface lay on the ground at the beginning.
+    const double ax = cx - a.x(), ay = cy - a.y();
+    if (a.z() + cutter.height(std::sqrt(ax * ax + ay * ay)) <= before + kStored)
+      return;
+    const double all = before - std::min(after, sweptHeight(cutter, b, ahead, cx, cy));
+    begun += all > Cut::kSwarf;
+    taken.axial = std::max(taken.axial, all);
+  };
   // No lower than this over y from x0 to x1: the tip is nowhere lower, and the axis no
   // nearer than the move's box is.
   const double left = std::min(a.x(), b.x()), right = std::max(a.x(), b.x());
@@ -99,8 +135,7 @@ Cut StockField::cut(const Tool& tool,
     else
       h = sweptHeight(cutter, a, b, cx, cy);
     if (h < cell) {
-      taken.depth = std::max(taken.depth, cell - h);
-      taken.volume += (cell - h) * cell_ * cell_;
+      countCell(cell, h, cx, cy);
       // float32 must not round an upper bound down
       float stored = static_cast<float>(h);
       if (guard > 0 && stored < h)
@@ -121,6 +156,34 @@ Cut StockField::cut(const Tool& tool,
       tops[run] = *std::max_element(line + first, line + last + 1);
     }
   }
+  taken.area = static_cast<double>(begun) * cell_ * cell_;
+  taken.axial = std::max(taken.axial, taken.depth);
+  return taken;
+}
+
+Cut StockField::probe(const Tool& tool,
+                      const Eigen::Vector3d& a,
+                      const Eigen::Vector3d& b) const
+{
+  const CutterProfile cutter = tool.profile();
+  const Window window = under(tool.radius(), a, b);
+  const double lowest = std::min(a.z(), b.z());
+  Cut taken;
+  for (int row = window.r0; row <= window.r1; ++row)
+    for (int run = window.c0 / kRun; run * kRun <= window.c1; ++run) {
+      if (top_[static_cast<std::size_t>(row) * runs_ + run] <= lowest)
+        continue;
+      const int last = std::min(window.c1, run * kRun + kRun - 1);
+      for (int column = std::max(window.c0, run * kRun); column <= last; ++column) {
+        const double cell = height(column, row);
+        const double h =
+            cell > lowest ? sweptHeight(cutter, a, b, x(column), y(row)) : cell;
+        if (!(h < cell))
+          continue;
+        taken.depth = std::max(taken.depth, cell - h);
+        taken.volume += (cell - h) * cell_ * cell_;
+      }
+    }
   return taken;
 }
 

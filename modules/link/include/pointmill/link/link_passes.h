@@ -4,33 +4,39 @@
 
 #include <pointmill/common/operation.h>
 #include <pointmill/common/stage.h>
+#include <pointmill/link/cut_meter.h>
+#include <pointmill/link/path_figures.h>
 #include <pointmill/surface/point_index.h>
 #include <pointmill/surface/stock_field.h>
 
+#include <functional>
 #include <memory>
 
 namespace pointmill {
 
-/// @brief Joins cutting passes (`label`) in their order into the complete path of one
+/// @brief Top of what must not be touched besides the part, clamps say, within @p
+/// radius of the straight line from @p a to @p b [mm]; -infinity where there is
+/// nothing.
+using ObstacleTop = std::function<double(
+    const Eigen::Vector2d& a, const Eigen::Vector2d& b, double radius)>;
+
+/// @brief Joins passes (`label`) in their order into the complete path of one
 /// operation: approach, entry, pass, link or retract, back to the clearance plane.
-/// Feeds are set on the way.
+/// Feeds are set on the way. A pass keeps the motions that it comes with.
 ///
-/// - Sideways rapids run on the clearance plane only. Rapids down end above what still
-///   stands of the stock under the whole cutter.
-/// - An entry into material ramps down along the pass itself at the ramp angle; a pass
-/// too
-///   short for that is entered straight down at plunge feed.
-/// - Two passes are linked at feed where their ends are near and the level move between
-///   them is proven clear of the part and (almost) of stock; otherwise over the
-///   clearance plane.
+/// - Entries into material come level from outside, else on a helix, else on a ramp
+///   along the pass, else straight down. A tool with a flat on its end (flat, bull
+///   nose) may not cut at its centre: passes that it would have to enter straight down
+///   are left out ("skipped" in the report) for a later tool.
+/// - Between two passes the tool takes the quickest way that is proven clear of the
+///   part and of stock: at feed from pass to pass, lifted just enough, or over the
+///   clearance plane. Rapids never meet standing stock, in whatever order the machine
+///   moves its axes.
+/// - Level passes may be entered and left on arcs.
 /// - Descending feed moves are slowed so that the tool never goes down faster than its
-///   plunge feed, except through what the nominal stock proves to be air.
-///
-/// - Where a move takes more than a tenth of the diameter squared as cross-section, its
+///   plunge feed, except straight down through what the nominal stock proves to be air.
+///   Where a move takes more than a tenth of the diameter squared as cross-section, its
 ///   feed falls in proportion.
-/// - A tool with a flat on its end (flat, bull nose) may not cut at its centre: passes
-///   that it would have to enter straight down are left out ("skipped" in the report)
-///   for a later tool.
 ///
 /// The stock is cut along, so that the next operation knows what stands.
 class LinkPasses : public Filter<PointCL> {
@@ -39,7 +45,8 @@ public:
 
   void setTool(const Tool& tool) { tool_ = tool; }
   void setCutting(const Cutting& cutting) { cutting_ = cutting; }
-  /// @brief Height of sideways rapids [mm]; must be above the stock.
+  /// @brief Where sideways rapids always may run [mm]; must be above the stock and all
+  /// obstacles.
   void setClearancePlane(double z) { clearance_ = z; }
   double getClearancePlane() const { return clearance_; }
   /// @brief Rapids down stop this far above the stock [mm].
@@ -51,21 +58,45 @@ public:
   /// @brief Passes whose ends are at most this far apart may be linked at feed [mm].
   void setStayDown(double distance) { stay_down_ = distance; }
   double getStayDown() const { return stay_down_; }
+  /// @brief Greatest radius of a helical entry, as a share of the end's diameter; less
+  /// where there is no room, half of it at least. 0: no helices.
+  void setHelixRadius(double share) { helix_radius_ = share; }
+  double getHelixRadius() const { return helix_radius_; }
+  /// @brief Radius of the arcs on which level passes are entered and left [mm]; 0:
+  /// none.
+  void setLeadRadius(double radius) { lead_radius_ = radius; }
+  double getLeadRadius() const { return lead_radius_; }
+  /// @brief How fast rapids are taken to be [mm/min], to choose the quickest way.
+  void setRapidRate(double rate) { rapid_rate_ = rate; }
+  double getRapidRate() const { return rapid_rate_; }
+  /// @brief Whether rapids may run sideways below the clearance plane, where nothing
+  /// stands in the whole box that a dog-legging machine may sweep. Without them such
+  /// ways are straight feed moves.
+  void setLowRapids(bool allowed) { low_rapids_ = allowed; }
+  bool getLowRapids() const { return low_rapids_; }
   /// @brief The stock, an upper bound; it is cut along the path.
   void setStock(std::shared_ptr<StockField> stock) { stock_ = std::move(stock); }
   /// @brief The same stock with nominal heights, cut along too: it tells how much each
-  /// move takes, for its feed. Without it feeds do not fall in heavy cuts.
+  /// move takes, for its feed and the figures. Without it feeds do not fall in heavy
+  /// cuts.
   void setNominalStock(std::shared_ptr<StockField> stock)
   {
     nominal_ = std::move(stock);
   }
-  /// @brief The part, for links that stay down; without it there are none.
+  /// @brief The part; without it there are no links, lifts, arcs and helices, and no
+  /// entries from outside.
   void setPart(std::shared_ptr<const PointIndex> part, double allowance, double floor)
   {
     part_ = std::move(part);
     allowance_ = allowance;
     floor_ = floor;
   }
+  /// @brief What links, lifts, entries and arcs have to keep clear of by the approach
+  /// besides the part.
+  void setObstacles(ObstacleTop top) { obstacles_ = std::move(top); }
+
+  /// @brief What the last run cut; zeros without a nominal stock.
+  const CutFigures& getCutFigures() const { return cut_; }
 
   template <typename V>
   void parameters(V&& v)
@@ -82,6 +113,13 @@ public:
       "rapids down stop so far above stock");
     v("ramp_angle", ramp_angle_, "deg", Range{0.1, 45}, "steepest ramp into material");
     v("stay_down", stay_down_, "mm", Range{0, 100}, "longest link at feed");
+    v("helix_radius",
+      helix_radius_,
+      "",
+      Range{0, 0.5},
+      "greatest radius of helical entries over the end's diameter");
+    v("lead_radius", lead_radius_, "mm", Range{0, 50}, "arcs into and out of passes");
+    v("rapid_rate", rapid_rate_, "mm/min", Range{1, 1e6}, "speed of rapids");
   }
 
 protected:
@@ -89,32 +127,17 @@ protected:
   void apply(CLCloud& output) override;
 
 private:
-  /// Radius within which a pass over a place has certainly cut.
-  double certainRadius() const;
-  /// Highest stock within a radius of a move.
-  double
-  highest(const Eigen::Vector3d& a, const Eigen::Vector3d& b, double radius) const;
-  /// Height of a level feed move between two passes; the clearance plane for none.
-  double linkHeight(const Eigen::Vector3d& from, const Eigen::Vector3d& to) const;
-
   Tool tool_ = Tool::flat(1, 10.0);
   Cutting cutting_;
   double clearance_ = std::numeric_limits<double>::quiet_NaN();
   double approach_ = 1.0, ramp_angle_ = 3.0, stay_down_ = 0.0;
+  double helix_radius_ = 0.45, lead_radius_ = 0.0, rapid_rate_ = 5000.0;
+  bool low_rapids_ = false;
   std::shared_ptr<StockField> stock_, nominal_;
   std::shared_ptr<const PointIndex> part_;
   double allowance_ = 0.0, floor_ = -std::numeric_limits<double>::infinity();
+  ObstacleTop obstacles_;
+  CutFigures cut_;
 };
-
-/// @brief Lengths and time of a path.
-struct PathFigures {
-  std::size_t cl_points = 0, passes = 0, retracts = 0;
-  double cutting_length = 0; ///< feed moves, mm
-  double rapid_length = 0;   ///< mm
-  double minutes = 0;        ///< feed moves at their feed, rapids at the rapid rate
-};
-
-/// @param rapid_rate mm/min
-PathFigures measurePath(const CLCloud& path, double rapid_rate);
 
 } // namespace pointmill

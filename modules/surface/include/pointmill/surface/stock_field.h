@@ -14,8 +14,17 @@ namespace pointmill {
 
 /// @brief What a move takes from the stock.
 struct Cut {
+  /// A thinner layer is swarf, or what rounding left: it has no area [mm].
+  static constexpr double kSwarf = 0.05;
+
   double depth = 0;  ///< thickest layer [mm]
   double volume = 0; ///< [mm3]
+  /// Ground that the cutter begins to cut, so that what it cuts in several moves counts
+  /// once, if it loses more than kSwarf should the move go on level for a diameter
+  /// [mm2]. Divided by the way in XY it is the width of the cut, by nominal heights.
+  double area = 0;
+  /// Thickest layer, on that ground with what it loses then [mm].
+  double axial = 0;
 };
 
 /// @brief What still stands of the stock, as a height over each cell of a regular grid
@@ -44,6 +53,10 @@ public:
     return cut(tool, a, b, 0, rows_);
   }
 
+  /// @brief Depth and volume that the move would take if it were made, by the cells'
+  /// centres.
+  Cut probe(const Tool& tool, const Eigen::Vector3d& a, const Eigen::Vector3d& b) const;
+
   /// @brief The highest stock within @p radius of the segment from (ax, ay) to (bx,
   /// by), -infinity where there is none.
   double highest(double ax, double ay, double bx, double by, double radius) const;
@@ -68,6 +81,12 @@ public:
   CellCloud toCloud() const;
 
 private:
+  /// Columns and rows whose cells' centres a tool may pass over.
+  struct Window {
+    int c0, c1, r0, r1;
+  };
+  Window under(double radius, const Eigen::Vector3d& a, const Eigen::Vector3d& b) const;
+
   Stock stock_;
   double cell_;
   Bound bound_;
