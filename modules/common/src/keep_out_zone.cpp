@@ -50,7 +50,7 @@ between(const Vector2d& a, const Vector2d& b, const Vector2d& c, const Vector2d&
       {toSegment(a, c, d), toSegment(b, c, d), toSegment(c, a, b), toSegment(d, a, b)});
 }
 
-/// From a box to a place.
+/// From one box to another.
 double toBox(const Vector2d& low,
              const Vector2d& high,
              const Vector2d& first,
@@ -180,6 +180,12 @@ double KeepOutZone::depth(const CutterProfile& cutter,
   if (lowest >= top)
     return lowest > top ? top - lowest : 0.0;
   const Vector2d from = a.head<2>(), along = (b - a).head<2>();
+  // Nearly all moves are told to be clear by the boxes.
+  const double off =
+      toBox(min_, max_, from.cwiseMin(b.head<2>()), from.cwiseMax(b.head<2>())) -
+      margin;
+  if (off > cutter.radius())
+    return cutter.radius() - off;
   const double rise = b.z() - a.z();
   // Of all of a zone's points at a distance, the highest is deepest inside.
   const auto depthAt = [&](double distance, double tip) {

@@ -78,7 +78,8 @@ Cut StockField::cut(const Tool& tool,
                     const Eigen::Vector3d& a,
                     const Eigen::Vector3d& b,
                     int row0,
-                    int row1)
+                    int row1,
+                    std::vector<LoweredCell>* lowered)
 {
   const CutterProfile cutter = tool.profile();
   const double r = tool.radius();
@@ -114,7 +115,7 @@ Cut StockField::cut(const Tool& tool,
     const double away = std::sqrt(ox * ox + oy * oy) - kRounding;
     return lowest + cutter.height(std::max(0.0, away)) - kRounding;
   };
-  const auto cutCell = [&](float& cell, double cx, double cy) {
+  const auto cutCell = [&](float& cell, int column, int row, double cx, double cy) {
     if (cell <= lowest)
       return;
     double h;
@@ -136,6 +137,8 @@ Cut StockField::cut(const Tool& tool,
       h = sweptHeight(cutter, a, b, cx, cy);
     if (h < cell) {
       countCell(cell, h, cx, cy);
+      if (lowered)
+        lowered->push_back({column, row, cell - h});
       // float32 must not round an upper bound down
       float stored = static_cast<float>(h);
       if (guard > 0 && stored < h)
@@ -152,7 +155,7 @@ Cut StockField::cut(const Tool& tool,
       if (tops[run] <= lowest || tops[run] <= lowestIn(x(first), x(last), cy))
         continue;
       for (int column = std::max(c0, first); column <= std::min(c1, last); ++column)
-        cutCell(line[column], x(column), cy);
+        cutCell(line[column], column, row, x(column), cy);
       tops[run] = *std::max_element(line + first, line + last + 1);
     }
   }
@@ -185,6 +188,41 @@ Cut StockField::probe(const Tool& tool,
       }
     }
   return taken;
+}
+
+double StockField::depthIn(const Tool& tool,
+                           const Eigen::Vector3d& low,
+                           const Eigen::Vector3d& high,
+                           int row0,
+                           int row1) const
+{
+  const CutterProfile cutter = tool.profile();
+  const double r = cutter.radius();
+  const auto cellAt = [&](double v, double origin, int count) {
+    return static_cast<int>(std::clamp((v - origin) / cell_, 0.0, count - 1.0));
+  };
+  const int c0 = cellAt(low.x() - r, stock_.min.x(), columns_);
+  const int c1 = cellAt(high.x() + r, stock_.min.x(), columns_);
+  const int r0 = std::max(row0, cellAt(low.y() - r, stock_.min.y(), rows_));
+  const int r1 = std::min(row1 - 1, cellAt(high.y() + r, stock_.min.y(), rows_));
+  double deepest = 0;
+  for (int row = r0; row <= r1; ++row) {
+    const double oy = std::max({0.0, low.y() - y(row), y(row) - high.y()});
+    for (int run = c0 / kRun; run * kRun <= c1; ++run) {
+      if (top_[static_cast<std::size_t>(row) * runs_ + run] - low.z() <= deepest)
+        continue;
+      const int first = std::max(c0, run * kRun);
+      const int last = std::min(c1, run * kRun + kRun - 1);
+      for (int column = first; column <= last; ++column) {
+        const double ox = std::max({0.0, low.x() - x(column), x(column) - high.x()});
+        const double d2 = ox * ox + oy * oy;
+        if (d2 <= r * r)
+          deepest = std::max(
+              deepest, height(column, row) - low.z() - cutter.height(std::sqrt(d2)));
+      }
+    }
+  }
+  return deepest;
 }
 
 double

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the PointMill authors
+#include "layer_gauge.h"
 #include "moves.h"
 
 #include <pointmill/common/parallel.h>
@@ -11,6 +12,10 @@ namespace pointmill {
 namespace {
 
 constexpr int kRowsPerBand = 8;
+/// What a tool takes at once is what it takes on this share of its diameter.
+constexpr double kPiece = 0.25;
+/// A rapid that meets less is none in stock [mm].
+constexpr double kMeets = 0.01;
 
 /// A rapid may touch what it does not enter: what of the tool lies deeper than e
 /// inside.
@@ -22,6 +27,84 @@ Tool shrunk(const Tool& tool, double e)
   small.tip_diameter = std::max(0.0, tool.tip_diameter - 2 * e);
   return small;
 }
+
+/// Cuts the moves into the rows of one band.
+class BandCutter {
+public:
+  BandCutter(StockField& field, int row0, int row1, double tolerance)
+      : field_(field), row0_(row0), row1_(row1), up_(0, 0, tolerance)
+  {
+  }
+
+  /// How deep a rapid gets into the stock.
+  double rapid(const SweptMove& m, const Tool& tool)
+  {
+    double depth = 0;
+    const Vector3d low = m.a.cwiseMin(m.b) + up_;
+    if (m.mayBend() && low.z() < field_.stock().top())
+      depth = field_.depthIn(tool, low, m.a.cwiseMax(m.b) + up_, row0_, row1_);
+    return std::max(depth, field_.cut(tool, m.a + up_, m.b + up_, row0_, row1_).depth);
+  }
+
+  /// A feed move, in pieces where it is long; short ones that follow each other make up
+  /// one piece.
+  void feed(const SweptMove& m)
+  {
+    const double longest = kPiece * m.tool->diameter;
+    const double r = m.tool->radius() + field_.cellSize();
+    const double bottom = field_.y(row0_) - r, top = field_.y(row1_ - 1) + r;
+    const double length = (m.b - m.a).norm();
+    const double count = std::max(1.0, std::ceil(length / longest));
+    Vector3d from = m.a;
+    for (double k = 1; k <= count; ++k) {
+      const Vector3d to = k < count ? m.a + (k / count) * (m.b - m.a) : m.b;
+      if (std::max(from.y(), to.y()) > bottom && std::min(from.y(), to.y()) < top) {
+        if (piece_.tool != m.tool || piece_.end != from ||
+            piece_.length + length / count > longest)
+          endPiece();
+        piece_.tool = m.tool;
+        piece_.end = to;
+        piece_.length += length / count;
+        piece_.most +=
+            field_.cut(*m.tool, from, to, row0_, row1_, &piece_.lowered).depth;
+      }
+      from = to;
+    }
+  }
+  void endPiece()
+  {
+    if (piece_.tool) {
+      double& thickest = axial_[piece_.tool->number];
+      if (piece_.most > thickest)
+        thickest = std::max(
+            thickest,
+            gauge_.thickness(piece_.lowered, piece_.tool->diameter, field_.cellSize()));
+    }
+    piece_.tool = nullptr;
+    piece_.length = piece_.most = 0;
+    piece_.lowered.clear();
+  }
+
+  /// The thickest layer that each tool takes at once, in the pieces that have ended.
+  const std::map<int, double>& axial() const { return axial_; }
+
+private:
+  using Vector3d = Eigen::Vector3d;
+  /// What was cut on a short way.
+  struct Piece {
+    const Tool* tool = nullptr;
+    Vector3d end = Vector3d::Zero();
+    double length = 0, most = 0; // most: no layer is thicker
+    std::vector<LoweredCell> lowered;
+  };
+
+  StockField& field_;
+  int row0_, row1_;
+  Vector3d up_; // a rapid may touch the stock
+  Piece piece_;
+  LayerGauge gauge_;
+  std::map<int, double> axial_;
+};
 
 } // namespace
 
@@ -48,21 +131,20 @@ void judgeStock(const Stock& stock,
     const int row0 = static_cast<int>(band) * kRowsPerBand;
     const int row1 = std::min(field.rows(), row0 + kRowsPerBand);
     Outcome& mine = outcomes[band];
+    BandCutter cutter(field, row0, row1, tolerance);
     for (const auto k : bands[band]) {
       const SweptMove& m = moves[k];
       if (m.rapid) {
-        const Eigen::Vector3d up(0, 0, tolerance);
-        const double depth =
-            field.cut(rapid_tools.at(m.tool), m.a + up, m.b + up, row0, row1).depth;
-        if (depth > 0.01)
+        const double depth = cutter.rapid(m, rapid_tools.at(m.tool));
+        if (depth > kMeets)
           mine.rapids[k] = depth;
       }
       else {
-        const double depth = field.cut(*m.tool, m.a, m.b, row0, row1).depth;
-        auto& deepest = mine.axial[m.tool->number];
-        deepest = std::max(deepest, depth);
+        cutter.feed(m);
       }
     }
+    cutter.endPiece();
+    mine.axial = cutter.axial();
   });
 
   std::map<std::size_t, double> rapids;

@@ -43,6 +43,7 @@ bool sidewaysBlind(const ProgramMove& m)
 std::vector<SweptMove> collectMoves(const Program& program,
                                     const std::vector<Tool>& tools,
                                     const Stock& stock,
+                                    double safe,
                                     Verification& result)
 {
   std::map<int, const Tool*> by_number;
@@ -72,18 +73,22 @@ std::vector<SweptMove> collectMoves(const Program& program,
              "feed move with tool " + std::to_string(m.tool) + ", which is not known",
              m);
       // The spindle may be empty before the first tool change, but it must be high up.
-      else if (m.from.z() < stock.top() || m.to.z() < stock.top())
-        find("no_tool_below_stock", "rapid below the stock's top without a tool", m);
+      else if (m.from.z() < safe || m.to.z() < safe)
+        find("no_tool_below_stock",
+             "rapid below the top of the stock and of what is to be kept out of, "
+             "without a tool",
+             m);
       else if (sidewaysBlind(m))
         find("unknown_position", "sideways move at an unknown height", m);
       continue;
     }
     if (!m.from.allFinite() || !m.to.allFinite()) {
-      // Where the machine stands is not known: only Z may move, and above the stock.
-      const bool high = !(m.from.z() < stock.top()) && !(m.to.z() < stock.top());
+      // Where the machine stands is not known: only Z may move, high up.
+      const bool high = !(m.from.z() < safe) && !(m.to.z() < safe);
       if (!m.rapid || !high || sidewaysBlind(m))
         find("unknown_position",
-             "move from or to an unknown position that is not safely above the stock",
+             "move from or to an unknown position that is not safely above the stock "
+             "and all that is to be kept out of",
              m);
       continue;
     }

@@ -15,6 +15,14 @@ struct SweptMove {
   const Tool* tool;
   std::size_t line;
   bool rapid;
+
+  /// Whether the tip may leave the straight line: the axes of a rapid need not arrive
+  /// at once. It then stays in the box of the move's ends (a dog-leg).
+  bool mayBend() const
+  {
+    const Eigen::Vector3d way = b - a;
+    return rapid && (way.array() != 0).count() > 1;
+  }
 };
 
 /// @brief Deals moves to horizontal bands of the plane, so that threads can work
@@ -37,9 +45,11 @@ private:
 
 /// @brief Checks what can be said of every move alone, counts and measures, and returns
 /// those that can be swept.
+/// @param safe what moves from or to unknown places must stay above [mm]
 std::vector<SweptMove> collectMoves(const Program& program,
                                     const std::vector<Tool>& tools,
                                     const Stock& stock,
+                                    double safe,
                                     Verification& result);
 
 /// @brief How deep the points of an index get inside the tools.
@@ -75,6 +85,13 @@ void judgePoints(const PointIndex& surface,
                  const PointLimits& limits,
                  unsigned threads,
                  Verification& result);
+
+/// @brief How deep the moves get into zones where no tool may be.
+void judgeKeepOut(const KeepOut& keep_out,
+                  const std::vector<SweptMove>& moves,
+                  double tolerance,
+                  unsigned threads,
+                  Verification& result);
 
 /// @brief Cuts the stock in the program's order; rapids that cut are findings.
 void judgeStock(const Stock& stock,

@@ -34,7 +34,8 @@ Verification ProgramVerifier::verify(const Program& program) const
   }
 
   Verification result;
-  const auto moves = collectMoves(program, tools_, stock_, result);
+  const double safe = std::max(stock_.top(), keep_out_.highestTop());
+  const auto moves = collectMoves(program, tools_, stock_, safe, result);
   judgePoints(model_ ? *model_ : *part_,
               model_ ? part_.get() : nullptr,
               moves,
@@ -61,6 +62,7 @@ Verification ProgramVerifier::verify(const Program& program) const
                                blend,
                                {0, 0, 0},
                                0});
+  judgeKeepOut(keep_out_, moves, tolerance_, threads_, result);
   judgeStock(stock_, cell_, moves, tolerance_, threads_, result);
 
   if (result.gouged_points > 0)
@@ -81,6 +83,16 @@ Verification ProgramVerifier::verify(const Program& program) const
                                result.raw_gouge,
                                result.raw_gouge_at,
                                result.raw_gouge_line});
+  if (result.keep_out_moves > 0)
+    result.findings.push_back(
+        {"keep_out",
+         std::to_string(result.keep_out_moves) +
+             " moves get into keep-out zones or their margin of " +
+             millimetres(keep_out_.margin()) + ", the deepest by " +
+             millimetres(result.keep_out_depth),
+         result.keep_out_depth,
+         result.keep_out_at,
+         result.keep_out_line});
   if (result.rapids_in_stock > 0)
     result.findings.push_back({"rapid_in_stock",
                                std::to_string(result.rapids_in_stock) +

@@ -27,6 +27,12 @@ struct Cut {
   double axial = 0;
 };
 
+/// @brief A cell that a move has lowered by so much [mm].
+struct LoweredCell {
+  int column, row;
+  double depth;
+};
+
 /// @brief What still stands of the stock, as a height over each cell of a regular grid
 /// [mm]. Tools come from above only, so one height says it all.
 class StockField {
@@ -42,12 +48,14 @@ public:
 
   /// @brief Moves @p tool straight from @p a to @p b through the cells of rows
   /// [@p row0, @p row1), so that threads can share the work by rows.
+  /// @param lowered takes, if given, the lowered cells as well, by rows and columns
   /// @return what it took, by the cells' centres; nothing in the air
   Cut cut(const Tool& tool,
           const Eigen::Vector3d& a,
           const Eigen::Vector3d& b,
           int row0,
-          int row1);
+          int row1,
+          std::vector<LoweredCell>* lowered = nullptr);
   Cut cut(const Tool& tool, const Eigen::Vector3d& a, const Eigen::Vector3d& b)
   {
     return cut(tool, a, b, 0, rows_);
@@ -56,6 +64,14 @@ public:
   /// @brief Depth and volume that the move would take if it were made, by the cells'
   /// centres.
   Cut probe(const Tool& tool, const Eigen::Vector3d& a, const Eigen::Vector3d& b) const;
+  /// @brief How deep [mm] @p tool, its tip anywhere in the box @p low .. @p high, gets
+  /// into the stock in the cells of rows [@p row0, @p row1), by their centres. Nothing
+  /// is cut.
+  double depthIn(const Tool& tool,
+                 const Eigen::Vector3d& low,
+                 const Eigen::Vector3d& high,
+                 int row0,
+                 int row1) const;
 
   /// @brief The highest stock within @p radius of the segment from (ax, ay) to (bx,
   /// by), -infinity where there is none.

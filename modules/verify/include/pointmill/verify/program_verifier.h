@@ -2,6 +2,7 @@
 // Copyright (c) 2026, the PointMill authors
 #pragma once
 
+#include <pointmill/common/keep_out.h>
 #include <pointmill/common/parameters.h>
 #include <pointmill/common/point_types.h>
 #include <pointmill/common/stock.h>
@@ -62,8 +63,17 @@ struct Verification {
   std::size_t rapids_in_stock = 0;
   double rapid_depth = 0; ///< deepest of them [mm]
   std::size_t rapid_line = 0;
-  std::map<int, double> axial_depth; ///< thickest layer that each tool takes [mm]
-  std::map<int, double> lowest_tip;  ///< per tool [mm]
+
+  /// How deep a tool gets into keep-out zones and the margin round them [mm]
+  double keep_out_depth = 0;
+  Eigen::Vector3d keep_out_at = Eigen::Vector3d::Zero(); ///< end of that move
+  std::size_t keep_out_line = 0;
+  std::size_t keep_out_moves = 0; ///< deeper than the tolerance
+
+  /// Thickest layer that each tool takes at once [mm]: on a piece of a move of no more
+  /// than a quarter of its diameter, where it is about an eighth of it wide and long.
+  std::map<int, double> axial_depth;
+  std::map<int, double> lowest_tip; ///< per tool [mm]
 
   std::size_t feed_moves = 0, rapid_moves = 0;
   double feed_length = 0, rapid_length = 0; ///< mm
@@ -75,7 +85,11 @@ struct Verification {
 };
 
 /// @brief Judges a program as it was read back from its text: its moves are swept over
-/// every point of the part and through the stock.
+/// every point of the part, past every keep-out zone and through the stock.
+///
+/// The axes of a rapid (G0) need not arrive at once: one that moves along several must
+/// be clear wherever the tip may come in the box between its ends, at its lowest
+/// height.
 ///
 /// Gouges are measured against the points, exactly, as penetration(); the stock is a
 /// height field that is exact at the centres of its cells. Results do not depend on the
@@ -98,6 +112,8 @@ public:
   }
   /// @brief How far the control may round corners and merge lines (G64 P and Q) [mm].
   void setBlendLimit(double limit) { blend_limit_ = limit; }
+  /// @brief Where no tool may be, feeding or not.
+  void setKeepOut(KeepOut keep_out) { keep_out_ = std::move(keep_out); }
   void setStock(const Stock& stock) { stock_ = stock; }
   void setTools(std::vector<Tool> tools) { tools_ = std::move(tools); }
   /// @brief Points that get deeper into a tool than this are gouged [mm].
@@ -134,6 +150,7 @@ public:
 
 private:
   std::shared_ptr<const PointIndex> part_, model_, protected_;
+  KeepOut keep_out_;
   Stock stock_;
   std::vector<Tool> tools_;
   double tolerance_ = 0.02, noise_allowance_ = 0.0;
