@@ -252,12 +252,28 @@ CLI::App* declareMill(CLI::App& app, MillCommand& command)
   choice(*mill,
          "--roughing",
          o.roughing,
-         {{"zigzag", RoughingStrategy::ZigZag}, {"spiral", RoughingStrategy::Spiral}},
+         {{"grid", RoughingStrategy::Grid},
+          {"zigzag", RoughingStrategy::ZigZag},
+          {"spiral", RoughingStrategy::Spiral},
+          {"high-speed", RoughingStrategy::HighSpeed},
+          {"offset", RoughingStrategy::Offset}},
          "how the roughing goes over a level")
       ->default_str("zigzag")
       ->group("Operations");
   add("--step-down", o.step_down, "MM", "of the roughing; 0: 0.3 d / 4", "Operations");
   add("--step-over", o.step_over, "MM", "of the roughing; 0: 0.4 d", "Operations");
+  mill->add_option("--rest-tool",
+                   command.rest_diameter,
+                   "diameter of a flat end mill, T4, that cuts what the roughing tool "
+                   "left before the ball end mills do")
+      ->type_name("MM")
+      ->group("Operations");
+  mill->add_option("--min-flat",
+                   o.min_flat,
+                   "smallest level ground that gets a level of the roughing; 0: none")
+      ->type_name("MM2")
+      ->default_str("the tool's diameter squared")
+      ->group("Operations");
   choice(*mill,
          "--raster",
          o.raster,
@@ -324,6 +340,11 @@ int runMill(MillCommand& command)
   o.rough.tool = command.rough_tool.toolFrom(o.rough.tool);
   o.semi.tool = command.semi_tool.toolFrom(o.semi.tool);
   o.finish.tool = command.finish_tool.toolFrom(o.finish.tool);
+  if (command.rest_diameter) {
+    o.rest = o.rough; // its feeds and allowance
+    o.rest->tool = Tool::flat(4, *command.rest_diameter);
+    o.rest->cutting.coolant = !command.no_coolant;
+  }
   for (auto* job : {&o.rough, &o.semi, &o.finish})
     job->cutting.coolant = !command.no_coolant;
   if (command.directory.empty())

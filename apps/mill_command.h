@@ -9,6 +9,7 @@
 #include <CLI/CLI.hpp>
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -18,6 +19,7 @@ struct MillCommand {
   pointmill::MillOptions options;
   ToolOptions rough_tool{"rough"}, semi_tool{"semi"}, finish_tool{"finish"};
   std::string scan, directory;
+  std::optional<double> rest_diameter;
   std::vector<double> polygon; ///< X and Y in turn
   std::vector<std::pair<double, double>> through_holes;
   bool quiet = false, no_square = false, keep_strays = false, no_coolant = false;

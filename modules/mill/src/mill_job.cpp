@@ -33,6 +33,15 @@ double MillJob::gapArea() const
   return area;
 }
 
+std::vector<Tool> MillJob::tools() const
+{
+  std::vector<Tool> tools{
+      options_.rough.tool, options_.semi.tool, options_.finish.tool};
+  if (options_.rest)
+    tools.push_back(options_.rest->tool);
+  return tools;
+}
+
 double MillJob::minutes() const
 {
   double sum = 0;
@@ -72,6 +81,7 @@ void MillJob::writeProgram()
   for (const auto& line : setUp())
     writer.addComment(line);
   writer.setClearancePlane(clearancePlane());
+  writer.setLowRapids(true); // LinkPasses proves them
   writer.setPathTolerance(budget.blend);
   std::vector<Operation> operations;
   std::uint32_t passes = 0;
@@ -101,16 +111,17 @@ void MillJob::verify()
     verifier.setNoiseAllowance(figures_.farthest);
   }
   verifier.setStock(stock_);
-  verifier.setTools({options_.rough.tool, options_.semi.tool, options_.finish.tool});
+  verifier.setTools(tools());
+  verifier.setKeepOut(keep_out_);
   // What the control may add by blending corners cannot be seen in the text.
   verifier.setTolerance(options_.tolerance - ErrorBudget::of(options_.tolerance).blend);
   if (options_.boundary.empty()) // beyond a polygon all is left over
     verifier.setResidualLimit(options_.residual_limit);
   const Eigen::Vector3d size = stock_.max - stock_.min;
   // Cells no wider than the thinnest tool's radius: nothing slips between two centres.
-  const double thinnest = std::min({options_.rough.tool.radius(),
-                                    options_.semi.tool.radius(),
-                                    options_.finish.tool.radius()});
+  double thinnest = std::numeric_limits<double>::infinity();
+  for (const auto& tool : tools())
+    thinnest = std::min(thinnest, tool.radius());
   verifier.setCellSize(
       std::min(std::max(0.25, std::sqrt(size.x() * size.y() / 4e6)), thinnest / 2));
   verifier.setFloor(floor_);
@@ -136,25 +147,29 @@ void MillJob::plan(const std::string& scan)
   scan_name_ = std::filesystem::path(scan).filename().string();
   operations_.clear();
   seconds_.clear();
+  keep_out_ = KeepOut(options_.keep_out, options_.keep_out_margin);
   readAndAlign(scan);
   makeSurface();
   makeMap();
-  timed("roughing", 0.15, [&] { planRoughing(options_.rough, "roughing", 0.0); });
+  timed("roughing", 0.15, [&] { planRoughing(); });
   // Where the big tool did not get in, full stock stands: a ball end mill must not go
-  // there in one pass.
+  // there in one pass. Nor must it meet the skins that stay on walls as high as these.
+  const double rough_left = 0.6 * options_.rough.allowance;
+  if (options_.rest)
+    timed("rest roughing, T" + std::to_string(options_.rest->tool.number), 0.2, [&] {
+      planRest(*options_.rest, "rest roughing", 5);
+    });
   ToolJob rest = options_.semi;
-  rest.allowance = std::max(rest.allowance, 0.6 * options_.rough.allowance);
-  timed("rest roughing", 0.25, [&] {
-    planRoughing(rest, "rest roughing", 0.4 * rest.tool.diameter);
-  });
+  rest.allowance = std::max(rest.allowance, rough_left);
+  timed("rest roughing", 0.25, [&] { planRest(rest, "rest roughing", 1); });
+  timed("walls", 0.3, [&] { planWalls(options_.semi, "walls", 1); });
   timed("semi-finishing", 0.35, [&] {
     planFinishing(options_.semi, "semi-finishing", options_.semi_scallop, false);
   });
   rest = options_.finish;
   rest.allowance = std::max(rest.allowance, options_.semi.allowance);
-  timed("rest roughing, fine", 0.45, [&] {
-    planRoughing(rest, "rest roughing, fine", 0.4 * rest.tool.diameter);
-  });
+  timed("rest roughing, fine", 0.45, [&] { planRest(rest, "rest roughing, fine", 3); });
+  timed("walls, fine", 0.47, [&] { planWalls(options_.finish, "walls, fine", 3); });
   timed("finishing", 0.5, [&] {
     planFinishing(options_.finish, "finishing", options_.scallop, true);
   });

@@ -41,7 +41,12 @@ void MillOptions::validate() const
   checkRange(who, "--residual-limit", residual_limit, "mm", {0.001, 1000});
   checkRange(who, "--fit", fit, "mm", {0, 3000});
   checkRange(who, "--units/--scale", mm_per_unit, "mm per unit", {1e-6, 1e6});
-  for (const auto* job : {&rough, &semi, &finish}) {
+  if (!std::isnan(min_flat))
+    checkRange(who, "--min-flat", min_flat, "mm2", {0, 1e6});
+  std::vector<const ToolJob*> jobs{&rough, &semi, &finish};
+  if (rest)
+    jobs.push_back(&*rest);
+  for (const auto* job : jobs) {
     job->tool.validate();
     const std::string tool = who + ": " + job->tool.describe();
     checkRange(tool, "spindle", job->cutting.spindle, "rpm", {1, 200000});
@@ -54,9 +59,12 @@ void MillOptions::validate() const
       throw ParameterError(who + ": " + job->tool.describe() +
                            " has no round to work a step-over out from a scallop: "
                            "finish with a ball, a bull or a taper");
-  if (rough.tool.number == semi.tool.number ||
-      rough.tool.number == finish.tool.number || semi.tool.number == finish.tool.number)
-    throw ParameterError(who + ": two tools have one number");
+  for (std::size_t i = 0; i < jobs.size(); ++i)
+    for (std::size_t k = 0; k < i; ++k)
+      if (jobs[i]->tool.number == jobs[k]->tool.number)
+        throw ParameterError(who + ": two tools have one number");
+  if (rest && rest->tool.diameter >= rough.tool.diameter)
+    throw ParameterError(who + ": --rest-tool is no smaller than the roughing tool");
 }
 
 ErrorBudget ErrorBudget::of(double tolerance)

@@ -1,19 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the PointMill authors
-// What each operation cuts.
+// What the finishing operations cut, and how all are linked.
 #include <pointmill/finish/buffer_points.h>
 #include <pointmill/link/order_passes.h>
 #include <pointmill/link/simplify_path.h>
 #include <pointmill/mill/mill_job.h>
-#include <pointmill/rough/spiral_roughing.h>
-#include <pointmill/rough/zigzag_roughing.h>
-#include <pointmill/slice/z_slices.h>
 
 #include <chrono>
 
 namespace pointmill {
 
-void MillJob::link(PlannedOperation& planned, const CLCloud& passes)
+void MillJob::link(PlannedOperation& planned, const CLCloud& passes, double lead_radius)
 {
   LinkPasses linker;
   linker.setTool(planned.operation.tool);
@@ -23,61 +20,38 @@ void MillJob::link(PlannedOperation& planned, const CLCloud& passes)
   linker.setNominalStock(nominal_);
   linker.setPart(surface_, planned.allowance, floor_);
   linker.setStayDown(2 * planned.operation.tool.diameter);
+  linker.setLeadRadius(lead_radius);
+  linker.setRapidRate(options_.rapid_rate);
+  linker.setLowRapids(true);
+  if (!keep_out_.empty())
+    linker.setObstacles([this](const auto& a, const auto& b, double radius) {
+      return keep_out_.highestTop(a.cwiseMin(b), a.cwiseMax(b), radius);
+    });
   linker.setInputCloud(CLCloud::ConstPtr(new CLCloud(passes)));
   linker.filter(planned.operation.path);
   for (const auto& p : listParameters(linker))
     planned.parameters.push_back(p);
   for (const auto& f : linker.getReport().figures())
     planned.report.set("link_" + f.first, f.second);
-  planned.figures = measurePath(planned.operation.path, options_.rapid_rate);
+  planned.figures =
+      measurePath(planned.operation.path, options_.rapid_rate, linker.getCutFigures());
+  planned.volume_left = volumeLeft();
 }
 
-void MillJob::planRoughing(const ToolJob& job,
-                           const std::string& name,
-                           double min_thickness)
+double MillJob::volumeLeft() const
 {
-  PlannedOperation planned;
-  planned.operation.name = name;
-  planned.operation.tool = job.tool;
-  planned.operation.cutting = job.cutting;
-  planned.allowance = job.allowance;
-  planned.colour = min_thickness <= 0                             ? 0
-                   : job.tool.number == options_.semi.tool.number ? 1
-                                                                  : 3;
-
-  ZigZagRoughing zigzag;
-  SpiralRoughing spiral;
-  LevelRoughing& roughing = options_.roughing == RoughingStrategy::Spiral
-                                ? static_cast<LevelRoughing&>(spiral)
-                                : zigzag;
-  roughing.setTool(job.tool);
-  roughing.setAllowance(job.allowance);
-  roughing.setStepDown(min_thickness <= 0 && options_.step_down > 0
-                           ? options_.step_down
-                           : ZSlices::pitchForDiameter(job.tool.endDiameter()));
-  roughing.setStepOver(options_.step_over > 0 && min_thickness <= 0
-                           ? options_.step_over
-                           : kRoughStepOver * job.tool.endDiameter());
-  roughing.setFloor(floor_);
-  roughing.setStock(standing_);
-  roughing.setPart(surface_);
-  roughing.setRestLimits(min_thickness,
-                         min_thickness > 0 ? 0.6 * job.tool.endDiameter() : 0.0);
-  roughing.setNumberOfThreads(options_.threads);
-  roughing.setInputCloud(map_);
-  CLCloud passes;
-  const auto start = std::chrono::steady_clock::now();
-  roughing.filter(passes);
-  planned.parameters = listParameters(roughing);
-  planned.report = roughing.getReport();
-  if (passes.empty()) // nothing that is worth this tool's while
-    return;
-  link(planned, passes);
-  if (planned.operation.path.empty())
-    return;
-  planned.seconds =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  operations_.push_back(std::move(planned));
+  const CellGrid grid = CellGrid::of(*map_);
+  double volume = 0;
+  for (int row = 0; row < nominal_->rows(); ++row)
+    for (int column = 0; column < nominal_->columns(); ++column) {
+      const int c = grid.columnOf(nominal_->x(column));
+      const int r = grid.rowOf(nominal_->y(row));
+      double ground = floor_;
+      if (grid.has(c, r) && map_->at(c, r).getState() != CellState::Empty)
+        ground = std::max<double>(ground, map_->at(c, r).z);
+      volume += std::max(0.0, nominal_->height(column, row) - ground);
+    }
+  return volume * nominal_->cellSize() * nominal_->cellSize();
 }
 
 CLCloud MillJob::rasterPasses(const ToolJob& job,
@@ -163,7 +137,7 @@ void MillJob::planFinishing(const ToolJob& job,
   const CLCloud passes = rasterPasses(job, scallop, across, planned);
   if (passes.empty())
     throw DataError(name + ": no row lies over the part: look at the boundary");
-  link(planned, passes);
+  link(planned, passes, 0.0);
   planned.seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   operations_.push_back(std::move(planned));

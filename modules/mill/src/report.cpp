@@ -145,10 +145,22 @@ Json operationJson(const PlannedOperation& planned, const Verification& verifica
                {"passes", f.passes},
                {"retracts", f.retracts},
                {"cutting_mm", f.cutting_length},
+               {"air_share", f.cut.airShare()},
                {"rapid_mm", f.rapid_length},
+               {"radial_engagement_mm",
+                {{"mean", f.cut.mean_radial}, {"max", f.cut.max_radial}}},
+               {"axial_engagement_mm", f.cut.max_axial},
+               {"volume_removed_mm3", f.cut.volume},
+               {"volume_left_mm3", planned.volume_left},
                {"minutes", f.minutes},
                {"seconds_to_compute", planned.seconds},
                {"figures", stages}};
+  for (const auto& place : planned.narrow) {
+    if (json["narrow_places"].size() < 100) // the largest come first
+      json["narrow_places"].push_back({{"at", vector(place.at)},
+                                       {"area_mm2", place.area},
+                                       {"volume_mm3", place.volume}});
+  }
   double lowest = 0;
   for (const auto& p : o.path)
     lowest = std::min<double>(lowest, p.z);
@@ -180,6 +192,7 @@ Json verificationJson(const Verification& v, double tolerance)
           {"rapids_in_stock", v.rapids_in_stock},
           {"rapid_depth_mm", v.rapid_depth},
           {"unreachable_points", v.unreachable_points},
+          {"keep_out_depth_mm", v.keep_out_depth},
           {"unreachable_share", static_cast<double>(v.unreachable_points) / points},
           {"untouched_points", v.untouched_points},
           {"feed_moves", v.feed_moves},
@@ -208,8 +221,8 @@ std::string reportJson(const MillJob& job, const std::string& scan_name)
   json["stock"] = {{"min", vector(job.stock().min)}, {"max", vector(job.stock().max)}};
   json["clearance_plane_z"] = job.clearancePlane();
   json["tools"] = Json::array();
-  for (const auto* t : {&o.rough, &o.semi, &o.finish})
-    json["tools"].push_back(toolJson(t->tool));
+  for (const auto& tool : job.tools())
+    json["tools"].push_back(toolJson(tool));
   json["tolerance"] = {{"total_mm", o.tolerance},
                        {"chord_mm", budget.chord},
                        {"control_blend_mm", budget.blend},

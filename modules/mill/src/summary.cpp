@@ -68,6 +68,45 @@ double percent(std::size_t part, std::size_t whole)
   return 100.0 * double(part) / double(std::max<std::size_t>(1, whole));
 }
 
+/// What each operation does, a line each.
+std::string operationsTable(const MillJob& job)
+{
+  std::string text = print("%-20s %-14s %9s %9s %5s %9s %8s %13s %6s %8s %8s %7s %6s\n",
+                           "operation",
+                           "tool",
+                           "CL points",
+                           "cut mm",
+                           "air %",
+                           "rapid mm",
+                           "retracts",
+                           "radial mm",
+                           "axial",
+                           "cut cm3",
+                           "left cm3",
+                           "min",
+                           "s");
+  for (const auto& o : job.operations()) {
+    const PathFigures& f = o.figures;
+    text += print("%-20s %-14s %9zu %9.0f %5.1f %9.0f %8zu %6.2f %6.2f %6.2f %8.2f "
+                  "%8.2f %7.1f %6.2f\n",
+                  o.operation.name.c_str(),
+                  o.operation.tool.describe().c_str(),
+                  f.cl_points,
+                  f.cutting_length,
+                  100 * f.cut.airShare(),
+                  f.rapid_length,
+                  f.retracts,
+                  f.cut.mean_radial,
+                  f.cut.max_radial,
+                  f.cut.max_axial,
+                  f.cut.volume / 1000,
+                  o.volume_left / 1000,
+                  f.minutes,
+                  o.seconds);
+  }
+  return text;
+}
+
 } // namespace
 
 std::vector<std::string> warningsOf(const MillJob& job)
@@ -150,16 +189,7 @@ std::string summaryOf(const MillJob& job, const std::string& directory)
   for (const auto& line : job.setUp())
     text += "set-up     " + line + "\n";
   text += surfaceLine(job);
-  for (const auto& o : job.operations())
-    text += print(
-        "%-20s %-16s %8zu CL points %9.0f mm cut %8.0f mm rapid %7.1f min %6.2f s\n",
-        o.operation.name.c_str(),
-        o.operation.tool.describe().c_str(),
-        o.figures.cl_points,
-        o.figures.cutting_length,
-        o.figures.rapid_length,
-        o.figures.minutes,
-        o.seconds);
+  text += operationsTable(job);
   text += print("verified   deepest gouge %.4f mm", v.gouge);
   if (job.surfaceFigures().farthest > 0)
     text += print(" of the points without noise, %.4f mm as scanned", v.raw_gouge);

@@ -5,6 +5,7 @@
 #include <pointmill/common/report.h>
 #include <pointmill/link/link_passes.h>
 #include <pointmill/mill/mill_options.h>
+#include <pointmill/rough/narrow_place.h>
 #include <pointmill/slice/spacing.h>
 #include <pointmill/verify/program_verifier.h>
 
@@ -16,6 +17,8 @@
 
 namespace pointmill {
 
+class LevelRoughing;
+
 /// @brief One operation as planned, with what is worth telling.
 struct PlannedOperation {
   Operation operation;
@@ -23,8 +26,10 @@ struct PlannedOperation {
   std::vector<ParameterValue> parameters;
   Report report;
   PathFigures figures;
-  double seconds = 0; ///< to compute
-  int colour = 0;     ///< in pictures, the same for the same kind of operation
+  double volume_left = 0;          ///< of stock above the part [mm3]
+  std::vector<NarrowPlace> narrow; ///< where the roughing tool does not get in
+  double seconds = 0;              ///< to compute
+  int colour = 0; ///< in pictures, the same for the same kind of operation
 };
 
 /// @brief The scan as it was taken up.
@@ -89,7 +94,14 @@ public:
   {
     return seconds_;
   }
-  double clearancePlane() const { return stock_.top() + options_.clearance; }
+  /// @brief Above the stock and all zones that are kept out of.
+  double clearancePlane() const
+  {
+    return std::max(stock_.top(), keep_out_.highestTop()) + options_.clearance;
+  }
+  const KeepOut& keepOut() const { return keep_out_; }
+  /// @brief Of the program, by number of operation.
+  std::vector<Tool> tools() const;
   double floor() const { return floor_; }
   double minutes() const;
   /// @brief Area of all gaps but the holes through the part [mm2].
@@ -103,7 +115,13 @@ private:
   void readAndAlign(const std::string& scan);
   void makeSurface();
   void makeMap();
-  void planRoughing(const ToolJob& job, const std::string& name, double min_thickness);
+  void planLevels(LevelRoughing& roughing,
+                  const ToolJob& job,
+                  const std::string& name,
+                  int colour);
+  void planRoughing();
+  void planRest(const ToolJob& job, const std::string& name, int colour);
+  void planWalls(ToolJob job, const std::string& name, int colour);
   void planFinishing(const ToolJob& job,
                      const std::string& name,
                      double scallop,
@@ -112,7 +130,8 @@ private:
                        double scallop,
                        bool across,
                        PlannedOperation& planned) const;
-  void link(PlannedOperation& planned, const CLCloud& passes);
+  void link(PlannedOperation& planned, const CLCloud& passes, double lead_radius);
+  double volumeLeft() const;
   void writeProgram();
   void verify();
   void timed(const std::string& stage, double done, const std::function<void()>& work);
@@ -134,6 +153,7 @@ private:
   std::shared_ptr<const SurfaceModel> model_;
   Stock stock_;
   std::shared_ptr<StockField> standing_, nominal_;
+  KeepOut keep_out_;
   double floor_ = 0, bridged_area_ = 0;
   std::vector<PlannedOperation> operations_;
   std::string program_;

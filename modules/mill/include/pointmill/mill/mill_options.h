@@ -3,12 +3,14 @@
 #pragma once
 
 #include <pointmill/align/z_alignment.h>
+#include <pointmill/common/keep_out.h>
 #include <pointmill/common/operation.h>
 #include <pointmill/finish/cl_surface.h>
 #include <pointmill/slice/occupancy_map.h>
 
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,7 +20,7 @@ namespace pointmill {
 constexpr double kRoughStepOver = 0.4;
 
 /// @brief How the roughing goes over a level.
-enum class RoughingStrategy { ZigZag, Spiral };
+enum class RoughingStrategy { Grid, ZigZag, Spiral, HighSpeed, Offset };
 
 /// @brief What the cutters rest on between the points of the scan.
 enum class SurfaceChoice {
@@ -75,6 +77,10 @@ struct MillOptions {
   RoughingStrategy roughing = RoughingStrategy::ZigZag;
   double step_down = 0.0; ///< of the roughing; 0: 0.3 d / 4
   double step_over = 0.0; ///< of the roughing; 0: 0.4 d
+  /// Level ground that gets a level of the roughing [mm2]; NaN: the tool's end squared.
+  double min_flat = std::numeric_limits<double>::quiet_NaN();
+  std::vector<KeepOutZone> keep_out; ///< of the part frame: clamps
+  double keep_out_margin = 1.0;      ///< that tools keep from them [mm]
   RasterDirection raster = RasterDirection::Auto;
   RasterPattern pattern = RasterPattern::ZigZag;
   MillingMode milling = MillingMode::Climb; ///< of one-way rows
@@ -84,6 +90,7 @@ struct MillOptions {
   bool over_stock = false; ///< the boundary is the stock, where no polygon is given
   double overhang = 0.0;   ///< beyond the boundary [mm]
   ToolJob rough{Tool::flat(1, 10.0), {8000, 1200, 300, true}, 0.5};
+  std::optional<ToolJob> rest; ///< cuts what the roughing tool left, where given
   ToolJob semi{Tool::ball(2, 5.0), {12000, 1200, 300, true}, 0.2};
   ToolJob finish{Tool::ball(3, 3.0), {16000, 1000, 300, true}, 0.0};
 

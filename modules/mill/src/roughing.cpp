@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the PointMill authors
+// What the roughing operations cut, from the big tool to the skins on the walls.
+#include <pointmill/mill/mill_job.h>
+#include <pointmill/rough/offset_roughing.h>
+#include <pointmill/rough/spiral_roughing.h>
+#include <pointmill/rough/waterline_roughing.h>
+#include <pointmill/rough/zigzag_roughing.h>
+#include <pointmill/slice/z_slices.h>
+
+#include <chrono>
+
+namespace pointmill {
+namespace {
+
+/// Rest roughing leaves what stands less than so high, or is a skin narrower than so,
+/// in diameters of the tool's end.
+constexpr double kRestThickness = 0.4, kRestWidth = 0.6;
+/// Skins higher than this are taken down from the walls by steps of it [diameters].
+constexpr double kWallStep = 0.5;
+/// Of the allowance stays after that: the passes beside meet no skin then.
+constexpr double kWallAllowance = 0.75;
+/// Radius of the arcs that lead into and out of passes [diameters].
+constexpr double kLeadRadius = 0.1;
+
+std::unique_ptr<LevelRoughing> strategyOf(RoughingStrategy strategy)
+{
+  switch (strategy) {
+  case RoughingStrategy::Spiral:
+    return std::make_unique<SpiralRoughing>();
+  case RoughingStrategy::Offset:
+    return std::make_unique<OffsetRoughing>();
+  default:
+    return std::make_unique<ZigZagRoughing>();
+  }
+}
+
+} // namespace
+
+void MillJob::planLevels(LevelRoughing& roughing,
+                         const ToolJob& job,
+                         const std::string& name,
+                         int colour)
+{
+  PlannedOperation planned;
+  planned.operation.name = name;
+  planned.operation.tool = job.tool;
+  planned.operation.cutting = job.cutting;
+  planned.allowance = job.allowance;
+  planned.colour = colour;
+  roughing.setTool(job.tool);
+  roughing.setAllowance(job.allowance);
+  roughing.setFloor(floor_);
+  roughing.setStock(standing_);
+  roughing.setPart(surface_);
+  roughing.setKeepOut(keep_out_);
+  roughing.setNumberOfThreads(options_.threads);
+  roughing.setInputCloud(map_);
+  CLCloud passes;
+  const auto start = std::chrono::steady_clock::now();
+  roughing.filter(passes);
+  planned.parameters = listParameters(roughing);
+  planned.report = roughing.getReport();
+  planned.narrow = roughing.getNarrowPlaces();
+  if (passes.empty()) // nothing that is worth this tool's while
+    return;
+  link(planned, passes, kLeadRadius * job.tool.endDiameter());
+  if (planned.operation.path.empty())
+    return;
+  planned.seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  operations_.push_back(std::move(planned));
+}
+
+void MillJob::planRoughing()
+{
+  const Tool& tool = options_.rough.tool;
+  const auto roughing = strategyOf(options_.roughing);
+  roughing->setStepDown(options_.step_down);
+  roughing->setStepOver(options_.step_over > 0 ? options_.step_over
+                                               : kRoughStepOver * tool.endDiameter());
+  roughing->setMinFlat(std::isnan(options_.min_flat)
+                           ? tool.endDiameter() * tool.endDiameter()
+                           : options_.min_flat);
+  planLevels(*roughing, options_.rough, "roughing", 0);
+}
+
+void MillJob::planRest(const ToolJob& job, const std::string& name, int colour)
+{
+  const double end = job.tool.endDiameter();
+  const auto roughing = strategyOf(options_.roughing);
+  roughing->setStepOver(kRoughStepOver * end);
+  roughing->setRestLimits(kRestThickness * end, kRestWidth * end);
+  planLevels(*roughing, job, name, colour);
+}
+
+void MillJob::planWalls(ToolJob job, const std::string& name, int colour)
+{
+  const double end = job.tool.endDiameter();
+  job.allowance *= kWallAllowance;
+  WaterlineRoughing walls;
+  walls.setStepDown(kWallStep * end);
+  walls.setStepOver(kRoughStepOver * end);
+  walls.setRestLimits(kWallStep * end, 0.0);
+  planLevels(walls, job, name, colour);
+}
+
+} // namespace pointmill
