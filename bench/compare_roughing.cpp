@@ -158,9 +158,9 @@ describe(const RoughJob& job, const CLCloud& path, std::uint32_t level)
   }
   return {text("level 5 at Z %.1f mm", heightOfLevel(path, level)),
           job.options.tool.describe(),
-          text("%.0f mm at feed", feed),
+          text("%.0f mm feed", feed),
           text("%.0f mm rapid", rapid),
-          text(down == 1 ? "comes down %.0f time" : "comes down %.0f times", down)};
+          text(down == 1 ? "%.0f entry" : "%.0f entries", down)};
 }
 
 void draw(const std::string& file,

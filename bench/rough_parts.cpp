@@ -51,10 +51,10 @@ double ringAndTowers(double x, double y)
   return 4;
 }
 
-/// Free-form ground with a level base.
+/// Free-form ground, twice as high as the other benchmarks' and cut off level below.
 double relief(double x, double y)
 {
-  return std::max(6.0, pointmill_test::Freeform::height(x + 3, y));
+  return std::max(4.0, 2 * pointmill_test::Freeform::height(0.8 * x + 4, 0.8 * y) - 10);
 }
 
 /// A mould: a U of constant depth round a tongue, a bowl at its foot, a channel of

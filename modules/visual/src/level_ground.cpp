@@ -113,7 +113,8 @@ struct Above {
   }
 };
 
-/// Lighter or darker by the slope of the heights, lit from the upper left.
+/// Lighter or darker by the slope of the heights, lit from the upper left; in steps,
+/// which keep the file small.
 float light(const Grid& grid, const Blend& blend)
 {
   const auto slope = [&](int dc, int dr) {
@@ -126,7 +127,7 @@ float light(const Grid& grid, const Blend& blend)
   const double lit = (slope(1, 0) * (grid.stepX() > 0 ? 1 : -1) -
                       slope(0, 1) * (grid.stepY() > 0 ? 1 : -1)) /
                      std::sqrt(2.0);
-  return static_cast<float>(0.10 * std::clamp(lit, -1.0, 1.0));
+  return static_cast<float>(std::round(5 * std::clamp(lit, -1.0, 1.0)) / 50);
 }
 
 Rgb lit(const Rgb& colour, float light)
@@ -167,7 +168,7 @@ void drawGround(Canvas& canvas,
           stands = inside(Blend(*standing, at)([&](int c, int r) {
                             c = std::clamp(c, 0, standing->columns() - 1);
                             r = std::clamp(r, 0, standing->rows() - 1);
-                            return standing->z(c, r) > z + 1e-6 ? 1 : 0;
+                            return standing->z(c, r) > z + kTouch ? 1 : 0;
                           }),
                           plan.px(std::abs(standing->stepX())));
         const Rgb swept = lit(kSwept, shade);

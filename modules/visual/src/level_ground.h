@@ -12,7 +12,9 @@ namespace pointmill::visual {
 constexpr Rgb kPartAbove = hex(0xDC8F86);
 constexpr Rgb kStanding = hex(0xEADBBD);
 constexpr Rgb kSwept = hex(0xDCE8F0);
-constexpr Rgb kCutAway = hex(0xFAFAFA);
+constexpr Rgb kCutAway = hex(0xF4F4F2);
+
+constexpr double kTouch = 1e-6; ///< higher stock than this above a level stands [mm]
 
 /// @brief Draws what the moves of a level are in: the stock with what the tool's end
 /// sweeps of it, the part that is above @p z, and its gaps.

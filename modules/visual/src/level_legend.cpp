@@ -58,6 +58,13 @@ bool hasGap(const CellCloud& map, double z)
   });
 }
 
+bool hasAir(const CellCloud& standing, double z)
+{
+  return std::any_of(standing.begin(), standing.end(), [&](const PointCell& c) {
+    return !(c.z > z + kTouch);
+  });
+}
+
 } // namespace
 
 LevelLegend::LevelLegend(
@@ -88,7 +95,7 @@ LevelLegend::LevelLegend(
     items_.push_back({"gap, protected", 2 * unit, paintGap});
   items_.push_back({"milled here", 2 * unit, box(kSwept)});
   items_.push_back({"stock that stays", 2 * unit, box(kStanding)});
-  if (scene.standing)
+  if (scene.standing && hasAir(*scene.standing, z))
     items_.push_back({"air before", 2 * unit, box(kCutAway)});
   flow_ = Flow(widths(), 2 * unit, room);
 }

@@ -7,8 +7,6 @@
 namespace pointmill::visual {
 namespace {
 
-constexpr int kShades = 96; // of the order's colours, that a long move may show
-
 void line(Canvas& canvas,
           const Eigen::Vector2f& a,
           const Eigen::Vector2f& b,
@@ -60,23 +58,22 @@ void drawMoves(Canvas& canvas,
   moves.each(MoveKind::Entry, [&](const LevelMove& m) {
     line(canvas, plan.px(m.from), plan.px(m.to), 2.6f * thickness, kEntryMove);
   });
-  const double shade = std::max(moves.length, 1e-9) / kShades;
+  const double all = std::max(moves.length, 1e-9);
   for (const LevelMove& m : moves.moves) {
+    const Eigen::Vector2f a = plan.px(m.from), b = plan.px(m.to);
     if (m.kind == MoveKind::Link)
-      line(canvas, plan.px(m.from), plan.px(m.to), thickness, kLinkMove);
-    if (m.kind == MoveKind::Cut || m.kind == MoveKind::Entry) {
+      line(canvas, a, b, thickness, kLinkMove);
+    else if (m.kind != MoveKind::Rapid) {
       const double length = (m.to - m.from).norm();
-      const int pieces = std::max(1, static_cast<int>(std::ceil(length / shade)));
-      for (int k = 0; k < pieces; ++k) {
-        const Eigen::Vector2d a = m.from + (m.to - m.from) * (double(k) / pieces);
-        const Eigen::Vector2d b = m.from + (m.to - m.from) * (double(k + 1) / pieces);
-        const double done = m.begun + length * (k + 0.5) / pieces;
-        line(canvas,
-             plan.px(a),
-             plan.px(b),
-             m.kind == MoveKind::Cut ? thickness : 0.5f * thickness,
-             orderColour(static_cast<float>(done / (shade * kShades))));
-      }
+      canvas.line(a.x(),
+                  a.y(),
+                  b.x(),
+                  b.y(),
+                  m.kind == MoveKind::Cut ? thickness : 0.5f * thickness,
+                  [&](float t) {
+                    return orderColour(
+                        static_cast<float>((m.begun + t * length) / all));
+                  });
     }
   }
   moves.each(MoveKind::Rapid, [&](const LevelMove& m) {

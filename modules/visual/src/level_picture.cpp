@@ -22,6 +22,7 @@ namespace {
 using namespace visual;
 
 constexpr int kUnits = 84;        ///< to the picture's width; all sizes follow
+constexpr int kTones = 32;        ///< of each channel; more make the file larger only
 constexpr double kTallest = 1.15; ///< of the drawing, relative to its width
 
 /// All that a picture must hold [mm].
@@ -120,6 +121,7 @@ void writeLevel(const std::string& path, const LevelScene& scene, int width)
   drawMoves(canvas, plan, moves, thickness);
   drawScaleBar(canvas, margin, ruler, room / 4, plan.scale, {2 * unit, false, kInk});
   legend.draw(canvas, margin, ruler + 2 * unit);
+  canvas.posterise(kTones);
   writePng(path, canvas);
 }
 
