@@ -54,22 +54,14 @@ void Canvas::fillRound(const Rect& rect, float radius, const Rgb& colour)
     }
 }
 
-void Canvas::line(
-    float x0, float y0, float x1, float y1, float thickness, const Rgb& colour)
+void Canvas::posterise(int levels)
 {
-  const float half = thickness * 0.5f, dx = x1 - x0, dy = y1 - y0;
-  const float length2 = std::max(dx * dx + dy * dy, 1e-12f);
-  const int left = static_cast<int>(std::floor(std::min(x0, x1) - half - 1));
-  const int right = static_cast<int>(std::ceil(std::max(x0, x1) + half + 1));
-  const int top = static_cast<int>(std::floor(std::min(y0, y1) - half - 1));
-  const int bottom = static_cast<int>(std::ceil(std::max(y0, y1) + half + 1));
-  for (int y = top; y <= bottom; ++y)
-    for (int x = left; x <= right; ++x) {
-      const float px = x + 0.5f - x0, py = y + 0.5f - y0;
-      const float t = std::clamp((px * dx + py * dy) / length2, 0.f, 1.f);
-      const float away = std::hypot(px - t * dx, py - t * dy);
-      blend(x, y, colour, std::clamp(half + 0.5f - away, 0.f, 1.f));
-    }
+  std::uint8_t rounded[256];
+  const int steps = levels - 1;
+  for (int v = 0; v < 256; ++v)
+    rounded[v] = static_cast<std::uint8_t>((2 * v * steps + 255) / 510 * 255 / steps);
+  for (auto& byte : bytes_)
+    byte = rounded[byte];
 }
 
 } // namespace pointmill::visual

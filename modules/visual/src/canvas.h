@@ -4,6 +4,8 @@
 
 #include "colour.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -35,7 +37,19 @@ public:
   /// @brief Rectangle with corners of @p radius [px] and smooth edges.
   void fillRound(const Rect& rect, float radius, const Rgb& colour);
   /// @brief Smooth straight line, @p thickness in px.
-  void line(float x0, float y0, float x1, float y1, float thickness, const Rgb& colour);
+  void line(float x0, float y0, float x1, float y1, float thickness, const Rgb& colour)
+  {
+    line(x0, y0, x1, y1, thickness, [&](float) { return colour; });
+  }
+  /// @brief The same with a colour for each place, `colour(t)` with t from 0 at its
+  /// beginning to 1.
+  template <typename Colour>
+  void
+  line(float x0, float y0, float x1, float y1, float thickness, const Colour& colour);
+
+  /// @brief Rounds every channel to one of @p levels values, 0 and 255 among them: a
+  /// picture with smooth edges becomes a much smaller file.
+  void posterise(int levels);
 
 private:
   std::size_t offset(int x, int y) const
@@ -50,5 +64,25 @@ private:
   int height_;
   std::vector<std::uint8_t> bytes_;
 };
+
+template <typename Colour>
+void Canvas::line(
+    float x0, float y0, float x1, float y1, float thickness, const Colour& colour)
+{
+  const float half = thickness * 0.5f, dx = x1 - x0, dy = y1 - y0;
+  const float length2 = std::max(dx * dx + dy * dy, 1e-12f);
+  const int left = static_cast<int>(std::floor(std::min(x0, x1) - half - 1));
+  const int right = static_cast<int>(std::ceil(std::max(x0, x1) + half + 1));
+  const int top = static_cast<int>(std::floor(std::min(y0, y1) - half - 1));
+  const int bottom = static_cast<int>(std::ceil(std::max(y0, y1) + half + 1));
+  for (int y = top; y <= bottom; ++y)
+    for (int x = left; x <= right; ++x) {
+      const float px = x + 0.5f - x0, py = y + 0.5f - y0;
+      const float t = std::clamp((px * dx + py * dy) / length2, 0.f, 1.f);
+      const float away = std::hypot(px - t * dx, py - t * dy);
+      if (away < half + 0.5f)
+        blend(x, y, colour(t), std::min(half + 0.5f - away, 1.f));
+    }
+}
 
 } // namespace pointmill::visual

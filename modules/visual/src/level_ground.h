@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the PointMill authors
+#pragma once
+
+#include "level_moves.h"
+#include "plan.h"
+
+#include <pointmill/visual/level_picture.h>
+
+namespace pointmill::visual {
+
+constexpr Rgb kPartAbove = hex(0xDC8F86);
+constexpr Rgb kStanding = hex(0xEADBBD);
+constexpr Rgb kSwept = hex(0xDCE8F0);
+constexpr Rgb kCutAway = hex(0xF4F4F2);
+
+constexpr double kTouch = 1e-6; ///< higher stock than this above a level stands [mm]
+
+/// @brief Draws what the moves of a level are in: the stock with what the tool's end
+/// sweeps of it, the part that is above @p z, and its gaps.
+void drawGround(Canvas& canvas,
+                const Plan& plan,
+                const LevelScene& scene,
+                const LevelMoves& moves,
+                double z);
+
+/// @brief Colour of a gap at a pixel: hatched.
+Rgb gapColour(int x, int y);
+
+} // namespace pointmill::visual
