@@ -146,6 +146,55 @@ TEST(StockField, NoCellThatAMoveLowersIsPassedOver)
   }
 }
 
+TEST(StockField, AProbeTakesWhatTheMovesWould)
+{
+  std::mt19937 random(12);
+  std::uniform_real_distribution<double> ux(-4, 24), uy(-4, 14), uz(-8, 1);
+  const Tool tools[] = {Tool::flat(1, 5), Tool::ball(2, 3), Tool::bull(3, 4, 0.7)};
+  StockField field(kBox, 0.23, StockField::Bound::Nominal);
+  for (int i = 0; i < 60; ++i) {
+    const Tool& tool = tools[i % 3];
+    std::vector<Vector3d> way;
+    for (int k = 0; k < 2 + i % 4; ++k)
+      way.emplace_back(ux(random), uy(random), uz(random) * (1 - i / 100.0));
+    const Cut probed = field.probe(tool, way);
+    StockField cut = field;
+    double volume = 0;
+    for (std::size_t k = 1; k < way.size(); ++k)
+      volume += cut.cut(tool, way[k - 1], way[k]).volume;
+    EXPECT_NEAR(probed.volume, volume, 1e-4 * (1 + volume));
+    double deepest = 0;
+    for (int row = 0; row < field.rows(); ++row)
+      for (int column = 0; column < field.columns(); ++column)
+        deepest = std::max(deepest,
+                           double(field.height(column, row)) - cut.height(column, row));
+    EXPECT_NEAR(probed.depth, deepest, 1e-5);
+    if (i % 5 == 0)
+      field = cut;
+  }
+}
+
+TEST(StockField, GroundThatIsBegunCountsOnce)
+{
+  // In one move or in many, the area over the way is the width of the cut.
+  for (const Tool& tool : {Tool::flat(1, 4), Tool::ball(2, 4)})
+    for (const int moves : {1, 7, 400}) {
+      StockField field(kBox, 0.05, StockField::Bound::Nominal);
+      const Vector3d a(-5, 5.01, -1), b(25, 5.01, -1);
+      double area = 0, axial = 0;
+      for (int i = 0; i < moves; ++i) {
+        const Cut taken = field.cut(
+            tool, a + (b - a) * (double(i) / moves), a + (b - a) * ((i + 1.0) / moves));
+        area += taken.area;
+        axial = std::max(axial, taken.axial);
+      }
+      const double deep = 1 - Cut::kSwarf;
+      const double wide = tool.isFlat() ? 4 : 2 * std::sqrt(4 * deep - deep * deep);
+      EXPECT_NEAR(area, 20 * wide, 20 * 0.1) << tool.type() << moves;
+      EXPECT_NEAR(axial, 1, 1e-3);
+    }
+}
+
 TEST(StockField, RowsCanBeSharedOut)
 {
   StockField whole(kBox, 0.5, StockField::Bound::Nominal), parts = whole;

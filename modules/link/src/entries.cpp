@@ -4,7 +4,6 @@
 
 #include "direction.h"
 #include "ramp.h"
-#include "tangent_circle.h"
 
 #include <algorithm>
 #include <cmath>
@@ -93,45 +92,67 @@ Entry Entries::fromOutside(const std::vector<Vector3d>& pass) const
   return {};
 }
 
-Entry Entries::onHelix(const std::vector<Vector3d>& pass) const
+double Entries::widestHelix() const
 {
   const Tool& tool = around_.tool;
-  double widest = helix_radius_ * tool.endDiameter();
-  if (tool.flatRadius() > 0) // the end's disc must pass over the middle: no core stays
-    widest = std::min(widest, 0.95 * tool.flatRadius());
-  if (!around_.part || widest <= 0)
+  const double widest = helix_radius_ * tool.endDiameter();
+  // The end's disc must pass over the middle: no core stays.
+  return tool.flatRadius() > 0 ? std::min(widest, 0.95 * tool.flatRadius()) : widest;
+}
+
+Entry Entries::onHelix(const std::vector<Vector3d>& pass) const
+{
+  if (!around_.part || helix_radius_ <= 0)
     return {};
   const Vector3d& start = pass.front();
-  const Vector2d direction = directionOf(pass);
-  constexpr int sides = TangentCircle::kSides;
+  const Vector2d ahead = directionOf(pass);
+  // How much of the pass the tool may come back on, from a helix further ahead: before
+  // a start at a wall there is no room.
+  const bool level = pass.size() > 1 && std::abs(pass[1].z() - start.z()) < 1e-6;
+  const double straight = level ? (pass[1] - start).norm() : 0.0;
   for (const double share : {1.0, 0.75, 0.5})
-    for (const int turn : {1, -1}) {
-      const double radius = share * widest;
-      const TangentCircle circle(start, direction, radius, turn);
-      // What stands opposite to the start is most likely in the way.
-      if (!around_.isClear({circle.before(sides / 2), circle.before(sides / 2)}))
-        continue;
-      std::vector<Vector3d> floor;
-      for (int i = sides; i >= 0; --i)
-        floor.push_back(circle.before(i));
-      if (!around_.isClear(floor))
-        continue;
-      const Vector3d middle(circle.centre.x(), circle.centre.y(), start.z());
-      const double height = lead(middle, radius + around_.certainRadius()) - start.z();
-      const double side = 2 * radius * std::sin(M_PI / sides);
-      const int down = static_cast<int>(
-          std::ceil(height / (side * std::tan(ramp_angle_ * M_PI / 180))));
-      Entry entry{EntryKind::Helix, {}};
-      // A level turn at last: no wedge stays.
-      for (int i = down + sides; i >= 0; --i) {
-        Vector3d at = circle.before(i);
-        at.z() += height * std::max(0, i - sides) / down;
-        entry.steps.push_back(
-            {at, entry.steps.empty() ? Motion::Plunge : Motion::Ramp});
+    for (const int back : {0, 1, 2})
+      for (const int turn : {1, -1}) {
+        const double radius = share * widestHelix();
+        if (back * radius > straight)
+          continue;
+        Vector3d end = start;
+        end.head<2>() += back * radius * ahead;
+        Entry entry =
+            spiralDown(TangentCircle(end, back > 0 ? -ahead : ahead, radius, turn));
+        if (entry.steps.empty())
+          continue;
+        if (back > 0)
+          entry.steps.push_back({start, Motion::LeadIn});
+        return entry;
       }
-      return entry;
-    }
   return {};
+}
+
+Entry Entries::spiralDown(const TangentCircle& circle) const
+{
+  constexpr int sides = TangentCircle::kSides;
+  // What stands opposite to the end is most likely in the way.
+  if (!around_.isClear({circle.before(sides / 2), circle.before(sides / 2)}))
+    return {};
+  std::vector<Vector3d> turn;
+  for (int i = sides; i >= 0; --i)
+    turn.push_back(circle.before(i));
+  if (!around_.isClear(turn))
+    return {};
+  const double radius = circle.arm.norm();
+  const Vector3d middle(circle.centre.x(), circle.centre.y(), circle.end.z());
+  const double height = lead(middle, radius + around_.certainRadius()) - circle.end.z();
+  const double side = 2 * radius * std::sin(M_PI / sides);
+  const int down =
+      static_cast<int>(std::ceil(height / (side * std::tan(ramp_angle_ * M_PI / 180))));
+  Entry entry{EntryKind::Helix, {}};
+  for (int i = down + sides; i >= 0; --i) { // a level turn at last: no wedge stays
+    Vector3d at = circle.before(i);
+    at.z() += height * std::max(0, i - sides) / down;
+    entry.steps.push_back({at, entry.steps.empty() ? Motion::Plunge : Motion::Ramp});
+  }
+  return entry;
 }
 
 } // namespace pointmill

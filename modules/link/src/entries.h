@@ -4,6 +4,7 @@
 
 #include "steps.h"
 #include "surroundings.h"
+#include "tangent_circle.h"
 
 #include <vector>
 
@@ -40,6 +41,8 @@ private:
   /// Height just above what stands at a place, and not below it.
   double lead(const Eigen::Vector3d& at, double radius) const;
   Entry fromOutside(const std::vector<Eigen::Vector3d>& pass) const;
+  double widestHelix() const;
+  Entry spiralDown(const TangentCircle& circle) const;
   Entry onHelix(const std::vector<Eigen::Vector3d>& pass) const;
   Entry downFrom(const std::vector<Eigen::Vector3d>& pass, double z) const;
 

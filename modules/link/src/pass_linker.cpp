@@ -47,12 +47,13 @@ Transition PassLinker::plan(const Pass& pass)
 
 void PassLinker::leadIn(const Pass& pass, Entry& entry)
 {
-  if (entry.kind != EntryKind::Open || pass.way.size() < 2 ||
-      pass.points[1]->getMotion() != Motion::Cut)
+  const bool level = entry.kind == EntryKind::Open || entry.kind == EntryKind::Outside;
+  if (!level || pass.way.size() < 2 || pass.points[1]->getMotion() != Motion::Cut)
     return;
   const auto arc = arcs_.into(pass.way);
   if (arc.empty())
     return;
+  entry.kind = EntryKind::Open;
   entry.steps = {{arc.front() + Vector3d(0, 0, kNothing), Motion::Plunge},
                  {arc.front(), Motion::Plunge}};
   for (std::size_t i = 1; i < arc.size(); ++i)

@@ -80,10 +80,7 @@ double Surroundings::highestInBox(const Vector3d& a, const Vector3d& b) const
 double Surroundings::volumeOf(const std::vector<Vector3d>& way) const
 {
   const StockField* field = nominal ? nominal : stock;
-  double volume = 0;
-  for (std::size_t i = 1; field && i < way.size(); ++i)
-    volume += field->probe(tool, way[i - 1], way[i]).volume;
-  return volume;
+  return field ? field->probe(tool, way).volume : 0.0;
 }
 
 bool Surroundings::isOpen(const Vector3d& at) const

@@ -19,16 +19,6 @@ constexpr double kRounding = 1e-9;
 /// More than what float32 takes from a height [mm].
 constexpr double kStored = 1e-4;
 
-/// Where a tool gets that goes on level for its diameter after the move from a to b.
-Eigen::Vector3d
-onwards(const Tool& tool, const Eigen::Vector3d& a, const Eigen::Vector3d& b)
-{
-  Eigen::Vector3d way = b - a;
-  way.z() = 0;
-  const double length = way.norm();
-  return length > 0 ? b + way * (tool.diameter / length) : b;
-}
-
 } // namespace
 
 StockField::StockField(const Stock& stock, double cell, Bound bound)
@@ -59,19 +49,17 @@ int StockField::rowOf(double y) const
 }
 
 StockField::Window StockField::under(double radius,
-                                     const Eigen::Vector3d& a,
-                                     const Eigen::Vector3d& b) const
+                                     const Eigen::Vector3d& low,
+                                     const Eigen::Vector3d& high) const
 {
   const auto index = [&](double v, double origin) {
     return static_cast<int>(
         std::clamp((v - origin) / cell_ - 0.5, -1e9, 1e9)); // towards zero: wide enough
   };
-  return {
-      std::max(0, index(std::min(a.x(), b.x()) - radius, stock_.min.x())),
-      std::min(columns_ - 1,
-               index(std::max(a.x(), b.x()) + radius, stock_.min.x()) + 1),
-      std::max(0, index(std::min(a.y(), b.y()) - radius, stock_.min.y())),
-      std::min(rows_ - 1, index(std::max(a.y(), b.y()) + radius, stock_.min.y()) + 1)};
+  return {std::max(0, index(low.x() - radius, stock_.min.x())),
+          std::min(columns_ - 1, index(high.x() + radius, stock_.min.x()) + 1),
+          std::max(0, index(low.y() - radius, stock_.min.y())),
+          std::min(rows_ - 1, index(high.y() + radius, stock_.min.y()) + 1)};
 }
 
 Cut StockField::cut(const Tool& tool,
@@ -83,7 +71,7 @@ Cut StockField::cut(const Tool& tool,
 {
   const CutterProfile cutter = tool.profile();
   const double r = tool.radius();
-  const Window window = under(r, a, b);
+  const Window window = under(r, a.cwiseMin(b), a.cwiseMax(b));
   const int c0 = window.c0, c1 = window.c1;
   const int r0 = std::max(row0, window.r0), r1 = std::min(row1 - 1, window.r1);
   const double guard = bound_ == Bound::Upper ? cell_ * std::sqrt(0.5) : 0.0;
@@ -91,17 +79,21 @@ Cut StockField::cut(const Tool& tool,
   const double dx = b.x() - a.x(), dy = b.y() - a.y(), len2 = dx * dx + dy * dy;
   Cut taken;
   long begun = 0; // cells that count for the area
-  const Eigen::Vector3d ahead = onwards(tool, a, b);
+  const double per_length = len2 > 0 ? 1 / std::sqrt(len2) : 0.0;
   const auto countCell = [&](double before, double after, double cx, double cy) {
     taken.depth = std::max(taken.depth, before - after);
     taken.volume += (before - after) * cell_ * cell_;
     if (bound_ == Bound::Upper)
       return;
     // The cutter cut here before if its surface lay on the ground at the beginning.
-    const double ax = cx - a.x(), ay = cy - a.y();
-    if (a.z() + cutter.height(std::sqrt(ax * ax + ay * ay)) <= before + kStored)
+    const double ax = cx - a.x(), ay = cy - a.y(), ad2 = ax * ax + ay * ay;
+    if (ad2 <= r * r && a.z() + cutter.height(std::sqrt(ad2)) <= before + kStored)
       return;
-    const double all = before - std::min(after, sweptHeight(cutter, b, ahead, cx, cy));
+    double all = before - after;
+    if (ax * dx + ay * dy > 0) { // goes on to be cut
+      const double off = std::abs(ax * dy - ay * dx) * per_length;
+      all = std::max(all, before - b.z() - cutter.height(off));
+    }
     begun += all > Cut::kSwarf;
     taken.axial = std::max(taken.axial, all);
   };
@@ -164,28 +156,32 @@ Cut StockField::cut(const Tool& tool,
   return taken;
 }
 
-Cut StockField::probe(const Tool& tool,
-                      const Eigen::Vector3d& a,
-                      const Eigen::Vector3d& b) const
+Cut StockField::probe(const Tool& tool, const std::vector<Eigen::Vector3d>& way) const
 {
-  const CutterProfile cutter = tool.profile();
-  const Window window = under(tool.radius(), a, b);
-  const double lowest = std::min(a.z(), b.z());
   Cut taken;
+  if (way.size() < 2)
+    return taken;
+  const CutterProfile cutter = tool.profile();
+  Eigen::Vector3d low = way.front(), high = low;
+  for (const auto& p : way) {
+    low = low.cwiseMin(p);
+    high = high.cwiseMax(p);
+  }
+  const Window window = under(tool.radius(), low, high);
+  const auto probeCell = [&](double cell, double cx, double cy) {
+    double h = cell;
+    for (std::size_t i = 1; cell > low.z() && i < way.size(); ++i)
+      h = std::min(h, sweptHeight(cutter, way[i - 1], way[i], cx, cy));
+    taken.depth = std::max(taken.depth, cell - h);
+    taken.volume += (cell - h) * cell_ * cell_;
+  };
   for (int row = window.r0; row <= window.r1; ++row)
     for (int run = window.c0 / kRun; run * kRun <= window.c1; ++run) {
-      if (top_[static_cast<std::size_t>(row) * runs_ + run] <= lowest)
+      if (top_[static_cast<std::size_t>(row) * runs_ + run] <= low.z())
         continue;
       const int last = std::min(window.c1, run * kRun + kRun - 1);
-      for (int column = std::max(window.c0, run * kRun); column <= last; ++column) {
-        const double cell = height(column, row);
-        const double h =
-            cell > lowest ? sweptHeight(cutter, a, b, x(column), y(row)) : cell;
-        if (!(h < cell))
-          continue;
-        taken.depth = std::max(taken.depth, cell - h);
-        taken.volume += (cell - h) * cell_ * cell_;
-      }
+      for (int column = std::max(window.c0, run * kRun); column <= last; ++column)
+        probeCell(height(column, row), x(column), y(row));
     }
   return taken;
 }

@@ -61,9 +61,9 @@ public:
     return cut(tool, a, b, 0, rows_);
   }
 
-  /// @brief Depth and volume that the move would take if it were made, by the cells'
-  /// centres.
-  Cut probe(const Tool& tool, const Eigen::Vector3d& a, const Eigen::Vector3d& b) const;
+  /// @brief Depth and volume that straight moves from each place of @p way to the next
+  /// would take, by the cells' centres; the stock stays as it is.
+  Cut probe(const Tool& tool, const std::vector<Eigen::Vector3d>& way) const;
   /// @brief How deep [mm] @p tool, its tip anywhere in the box @p low .. @p high, gets
   /// into the stock in the cells of rows [@p row0, @p row1), by their centres. Nothing
   /// is cut.
