@@ -110,10 +110,13 @@ Layer LayerMaker::make(const std::vector<Stretches>& stretches,
   Layer layer;
   const auto rows = dropRows(stretches);
   std::vector<std::vector<Pass>> regular(rows.size());
+  std::vector<double> kept_out(rows.size(), 0.0);
   parallelFor(rows.size(), raster_.threads, [&](std::size_t row) {
     for (const Stretch& s : stretches[row])
-      rows_.cut(rows[row], s, regular[row]);
+      kept_out[row] += rows_.cut(rows[row], s, regular[row]);
   });
+  for (const double length : kept_out)
+    layer.kept_out += length;
   for (auto& passes : regular)
     append(layer.passes, passes);
   if (raster_.scallop <= 0 || rows.size() < 2)
@@ -129,6 +132,7 @@ Layer LayerMaker::make(const std::vector<Stretches>& stretches,
   });
   for (auto& insertion : insertions) {
     layer.inserted += insertion.passes.size();
+    layer.kept_out += insertion.kept_out;
     append(layer.passes, insertion.passes);
     append(layer.steep, insertion.steep);
     layer.tally.add(insertion.tally);

@@ -13,6 +13,7 @@ namespace pointmill {
 struct Layer {
   std::vector<Pass> passes; ///< in the sense of u, by v and then by u
   std::size_t inserted = 0; ///< of these, between the regular rows
+  double kept_out = 0;      ///< length of rows that keep-out zones take [mm]
   ScallopTally tally;
   std::vector<Steep> steep;
   double noise = 0; ///< of the sagittas, see roughness()

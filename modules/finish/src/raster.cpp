@@ -60,6 +60,7 @@ RasterPasses Raster::over(const SurfaceModel& surface) const
   Sequence sequence(*this, result.path);
   Layer layer = LayerMaker(surface, *this, angle).everywhere();
   result.inserted = layer.inserted;
+  result.kept_out = layer.kept_out;
   sequence.append(std::move(layer.passes));
   ScallopTally tally = layer.tally;
   std::vector<Steep> left = std::move(layer.steep);
@@ -72,6 +73,7 @@ RasterPasses Raster::over(const SurfaceModel& surface) const
     Layer second = LayerMaker(surface, *this, angle + 90).on(mask, layer.noise);
     result.across = second.passes.size();
     result.inserted += second.inserted;
+    result.kept_out += second.kept_out;
     sequence.append(std::move(second.passes));
     tally.add(second.tally);
     left = std::move(second.steep);

@@ -15,6 +15,10 @@ constexpr double kRim = 0.01;
 /// the tool could touch: there it would graze single points.
 constexpr double kGraze = 0.05;
 
+/// The tip stays so much higher over zones: what is done to a path later may lower it
+/// by its tolerances [mm].
+constexpr double kOverZone = 0.02;
+
 Span farthest(const SurfaceModel& surface, const Vector2d& axis, double reach)
 {
   const auto& points = surface.points();
@@ -61,7 +65,7 @@ Span RowFrame::extent(const Vector2d& axis, const Vector3d& low, const Vector3d&
 RowMaker::RowMaker(const SurfaceModel& surface, const Raster& raster, double degrees)
     : surface_(surface), grown_(raster.tool.grown(raster.allowance)),
       allowance_(raster.allowance), floor_(raster.floor), boundary_(raster.boundary),
-      frame_(degrees),
+      keep_out_(raster.keep_out), cutter_(raster.tool.profile()), frame_(degrees),
       width_(farthest(surface, frame_.across, (1 - kGraze) * grown_.radius())),
       stations_(0, 0, raster.forward_step)
 {
@@ -79,10 +83,10 @@ Station RowMaker::stationOf(double u, double v, const Contact& contact) const
     return {floor_, 0.f, 0.f, false};
   const Vector2d at = frame_.xy(u, v);
   const Vector3d n = contactNormal(grown_, at.x(), at.y(), contact);
-  return {std::max(contact.tip + allowance_, floor_),
-          static_cast<float>(n.x()),
-          static_cast<float>(n.y()),
-          true};
+  const double tip = std::max(contact.tip + allowance_, floor_);
+  const bool clear =
+      keep_out_.empty() || tip >= keep_out_.lowest(cutter_, at.x(), at.y()) + kOverZone;
+  return {tip, static_cast<float>(n.x()), static_cast<float>(n.y()), clear, !clear};
 }
 
 Station RowMaker::dropAt(double u, double v) const
@@ -128,6 +132,45 @@ std::vector<Stretch> RowMaker::within(double v, Stretch stretch) const
   return parts;
 }
 
+// Whether the tool keeps out of all zones on the whole of the curve between two places,
+// which has more CL points later. The curve is no lower than the arc of any one contact
+// (see ChordRefiner), and that is lowest at an end; where this does not prove it, each
+// half may.
+bool RowMaker::clear(double u0, double u1, double v) const
+{
+  const Vector2d a = frame_.xy(u0, v), b = frame_.xy(u1, v);
+  const double zone = keep_out_.lowestAlong(cutter_, a.x(), a.y(), b.x(), b.y());
+  if (std::isinf(zone))
+    return true;
+  double curve = floor_;
+  for (const Vector2d& at : {a, b}) {
+    const Contact contact = surface_.drop(grown_, at.x(), at.y());
+    if (!contact.touches())
+      continue;
+    const auto arc = [&](const Vector2d& xy) {
+      return contact.at.z() - grown_.profile((contact.at.head<2>() - xy).norm()) +
+             allowance_;
+    };
+    curve = std::max(curve, std::min(arc(a), arc(b)));
+  }
+  if (curve >= zone + kOverZone)
+    return true;
+  const double middle = 0.5 * (u0 + u1);
+  return std::abs(u1 - u0) > kRim && clear(u0, middle, v) && clear(middle, u1, v);
+}
+
+// The chord between the two places and the curve.
+bool RowMaker::clear(const Place& a, const Place& b, double v) const
+{
+  if (keep_out_.empty())
+    return true;
+  const auto tip = [&](const Place& place) {
+    const Vector2d at = frame_.xy(place.u, v);
+    return Vector3d(at.x(), at.y(), place.station.tip);
+  };
+  return keep_out_.depth(cutter_, tip(a), tip(b)) <= 0 && clear(a.u, b.u, v);
+}
+
 // The last place that touches on the way from one that does to one that does not.
 RowMaker::Place RowMaker::rim(Place touching, double apart, double v) const
 {
@@ -153,8 +196,9 @@ void RowMaker::add(const Place& place, double v, CLCloud& path) const
   path.push_back(p);
 }
 
-void RowMaker::cut(const Row& row, Stretch stretch, std::vector<Pass>& passes) const
+double RowMaker::cut(const Row& row, Stretch stretch, std::vector<Pass>& passes) const
 {
+  double kept_out = 0;
   const Span whole{stations_[stretch.first], stations_[stretch.last]};
   std::vector<Span> spans{whole};
   if (!boundary_.everywhere())
@@ -174,26 +218,30 @@ void RowMaker::cut(const Row& row, Stretch stretch, std::vector<Pass>& passes) c
     if (inside.last < whole.last && (places.empty() || span.last > places.back().u))
       places.push_back({span.last, dropAt(span.last, row.v)});
 
+    const auto addRim = [&](const Place& here, double apart) {
+      const Place end = rim(here, apart, row.v);
+      if (end.u != here.u && clear(here, end, row.v))
+        add(end, row.v, passes.back().path);
+    };
     for (std::size_t i = 0; i < places.size(); ++i) {
       const Place& here = places[i];
+      if (here.station.kept_out && i > 0)
+        kept_out += here.u - places[i - 1].u;
       if (!here.station.touches)
         continue;
       if (i == 0 || !places[i - 1].station.touches) {
         passes.push_back({row.v, {}});
-        if (i > 0) {
-          const Place end = rim(here, places[i - 1].u, row.v);
-          if (end.u != here.u)
-            add(end, row.v, passes.back().path);
-        }
+        if (i > 0)
+          addRim(here, places[i - 1].u);
       }
+      else if (!clear(places[i - 1], here, row.v))
+        passes.push_back({row.v, {}});
       add(here, row.v, passes.back().path);
-      if (i + 1 < places.size() && !places[i + 1].station.touches) {
-        const Place end = rim(here, places[i + 1].u, row.v);
-        if (end.u != here.u)
-          add(end, row.v, passes.back().path);
-      }
+      if (i + 1 < places.size() && !places[i + 1].station.touches)
+        addRim(here, places[i + 1].u);
     }
   }
+  return kept_out;
 }
 
 } // namespace pointmill

@@ -40,9 +40,10 @@ struct RowFrame {
 
 /// The tool at one place of a row.
 struct Station {
-  double tip;   ///< the floor where the tool touches nothing
-  float nx, ny; ///< of the normal at the contact, in XY
-  bool touches;
+  double tip;            ///< the floor where the tool touches nothing
+  float nx, ny;          ///< of the normal at the contact, in XY
+  bool touches;          ///< and may be cut
+  bool kept_out = false; ///< it touches, but a keep-out zone is too near
 };
 
 /// Stations `first` .. `last` of a row, both included.
@@ -84,8 +85,9 @@ public:
   std::vector<Stretch> within(double v, Stretch stretch) const;
 
   /// Adds the passes of that stretch of @p row: inside the boundary, whose ends they
-  /// meet exactly, and wherever the tool touches.
-  void cut(const Row& row, Stretch stretch, std::vector<Pass>& passes) const;
+  /// meet exactly, wherever the tool touches and keeps out of all zones.
+  /// @return length that it would have cut if there were no zones [mm]
+  double cut(const Row& row, Stretch stretch, std::vector<Pass>& passes) const;
 
 private:
   struct Place {
@@ -95,6 +97,8 @@ private:
 
   Station dropAt(double u, double v) const;
   Station stationOf(double u, double v, const Contact& contact) const;
+  bool clear(double u0, double u1, double v) const;
+  bool clear(const Place& a, const Place& b, double v) const;
   Place rim(Place touching, double apart, double v) const;
   void add(const Place& place, double v, CLCloud& path) const;
 
@@ -102,6 +106,8 @@ private:
   Tool grown_;
   double allowance_, floor_;
   Boundary boundary_;
+  KeepOut keep_out_;
+  CutterProfile cutter_;
   RowFrame frame_;
   Span width_;
   Places stations_;

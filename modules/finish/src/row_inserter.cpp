@@ -82,7 +82,7 @@ void RowInserter::insert(const Row& low,
   for (const Stretch& s : refined) {
     for (; next < s.first; ++next)
       settle(next);
-    rows_.cut(middle, s, result.passes);
+    result.kept_out += rows_.cut(middle, s, result.passes);
     insert(low, middle, s, weight / 2, result);
     insert(middle, high, s, weight / 2, result);
     next = s.last + 1;

@@ -20,6 +20,7 @@ struct Insertion {
   std::vector<Pass> passes;
   ScallopTally tally; ///< where the scallop holds
   std::vector<Steep> steep;
+  double kept_out = 0; ///< length of rows that keep-out zones take [mm]
 };
 
 /// Inserts parts of rows halfway between two rows where the scallop between them would

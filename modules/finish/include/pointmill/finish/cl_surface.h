@@ -86,6 +86,11 @@ public:
   /// it where this is negative.
   void setOverhang(double overhang) { overhang_ = overhang; }
   double getOverhang() const { return overhang_; }
+  /// @brief Rows end where the tool would come nearer to a keep-out zone than the
+  /// margin; they do not climb over it. What joins the CL points, and what BufferPoints
+  /// inserts between them, is clear as well.
+  void setKeepOut(KeepOut keep_out) { raster_.keep_out = std::move(keep_out); }
+  const KeepOut& getKeepOut() const { return raster_.keep_out; }
   /// @brief A model of the same points (and of what bridges their gaps), so that
   /// several stages share it. By default the stage takes its input's bare points.
   void setModel(std::shared_ptr<const SurfaceModel> model)

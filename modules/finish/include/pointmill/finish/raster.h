@@ -2,6 +2,7 @@
 // Copyright (c) 2026, the PointMill authors
 #pragma once
 
+#include <pointmill/common/keep_out.h>
 #include <pointmill/common/point_types.h>
 #include <pointmill/common/tool.h>
 #include <pointmill/finish/boundary.h>
@@ -41,6 +42,7 @@ struct RasterPasses {
   double scallop_p95 = 0; ///< predicted height that 95 % of the ground stay under [mm]
   double scallop_max = 0; ///< the highest; where rows miss each other the corner radius
   double left = 0;        ///< XY area on which scallops stay too high [mm2]
+  double kept_out = 0;    ///< length of rows that keep-out zones take [mm]
 };
 
 /// @brief Parallel rows over the cutter-location surface: what CLSurface does once it
@@ -59,6 +61,7 @@ struct Raster {
   RasterPattern pattern = RasterPattern::ZigZag;
   MillingMode mode = MillingMode::Climb;
   Boundary boundary;
+  KeepOut keep_out; ///< rows end where the tool would come nearer to a zone than margin
   unsigned threads = 0;
 
   RasterPasses over(const SurfaceModel& surface) const;

@@ -30,6 +30,8 @@ void CLSurface<PointT>::apply(CLCloud& output)
   set("passes", static_cast<double>(found.passes));
   set("step_over_mm", raster.step_over);
   set("angle_deg", raster.angle);
+  if (!raster.keep_out.empty())
+    set("keep_out_length_mm", found.kept_out);
   if (raster.scallop <= 0)
     return;
   set("inserted_passes", static_cast<double>(found.inserted));
