@@ -2,6 +2,7 @@
 // Copyright (c) 2026, the PointMill authors
 #pragma once
 
+#include <pointmill/rough/offset_roughing.h>
 #include <pointmill/rough/spiral_roughing.h>
 #include <pointmill/rough/zigzag_roughing.h>
 
@@ -26,6 +27,7 @@ std::unique_ptr<pointmill::LevelRoughing> make()
 inline constexpr Strategy kStrategies[] = {
     {"zigzag", "zig-zag", make<pointmill::ZigZagRoughing>},
     {"spiral", "spiral", make<pointmill::SpiralRoughing>},
+    {"offset", "contour-parallel", make<pointmill::OffsetRoughing>},
 };
 
 } // namespace bench

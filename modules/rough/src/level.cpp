@@ -34,6 +34,15 @@ int Level::stride() const
                   static_cast<int>(std::floor(step_over_ / map_->grid().cell + 1e-6)));
 }
 
+std::vector<unsigned char> Level::neededNodes() const
+{
+  std::vector<unsigned char> needed(state_.size());
+  std::transform(state_.begin(), state_.end(), needed.begin(), [](unsigned char s) {
+    return static_cast<unsigned char>((s & kNeeded) != 0);
+  });
+  return needed;
+}
+
 LevelPath pathAlong(const Level& level, const Chain& chain)
 {
   Chain kept;

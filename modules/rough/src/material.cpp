@@ -87,7 +87,7 @@ double Material::certainRadius() const
   return std::max(0.0, radius_ - grid_.cell * std::sqrt(0.5));
 }
 
-std::vector<unsigned char> Material::nodesToCut() const
+std::vector<unsigned char> Material::nodesToCut(double radius) const
 {
   std::vector<unsigned char> nodes(nodes_.size(), 0);
   for (int row = 0; row < grid_.rows; ++row)
@@ -96,7 +96,7 @@ std::vector<unsigned char> Material::nodesToCut() const
         row,
         [&](int column) { return cells_[grid_.index(column, row)] == ToCut; },
         [&](const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
-          forCapsule(nodes_, a, b, certainRadius(), [&](int r, int first, int last) {
+          forCapsule(nodes_, a, b, radius, [&](int r, int first, int last) {
             std::fill_n(&nodes[nodes_.index(first, r)], last - first + 1, 1);
           });
         });

@@ -2,6 +2,7 @@
 // Copyright (c) 2026, the PointMill authors
 #include "offset_rings.h"
 
+#include <pointmill/rough/material.h>
 #include <pointmill/slice/distance_field.h>
 
 #include <algorithm>
@@ -99,8 +100,14 @@ std::vector<OffsetArea> offsetAreas(const Level& level, bool walls)
         deepest = std::max<double>(deepest, depth[grid.index(column, row)]);
 
   const double step = std::max(level.stepOver(), kNearest * grid.cell);
+  const Material material(level);
+  const double certain = material.certainRadius();
+  // A line need not care for what the next one, nearer to the walls, is to cut.
+  const auto at_walls = level.neededNodes();
+  const auto needed = material.nodesToCut(std::min(step, certain));
   std::vector<OffsetArea> areas;
-  std::vector<int> above; // labels of the last distance
+  std::vector<double> inner; // what of each area is needed lies no deeper
+  std::vector<int> above;    // labels of the last distance
   std::vector<unsigned char> inside(grid.size());
   for (int k = 0; k * step <= deepest; ++k) {
     const double least = k > 0 ? k * step : 1e-6;
@@ -110,26 +117,35 @@ std::vector<OffsetArea> offsetAreas(const Level& level, bool walls)
     const int first = next;
     const auto labels = label(grid, inside, next);
     areas.resize(static_cast<std::size_t>(next));
-    if (k > 0)
-      for (std::size_t i = 0; i < labels.size(); ++i)
-        if (labels[i] >= first)
-          areas[labels[i]].parent = above[i];
+    inner.resize(areas.size(), 0.0);
+    for (std::size_t i = 0; i < labels.size(); ++i) {
+      if (labels[i] < first)
+        continue;
+      if (k > 0)
+        areas[labels[i]].parent = above[i];
+      if (needed[i])
+        inner[labels[i]] = std::max<double>(inner[labels[i]], depth[i]);
+    }
+    const bool wall = k == 0 && walls;
     const auto lines =
-        k == 0 && walls
-            ? wallLines(level)
-            : isoLines(grid, inside, [&](Node in, Node out) -> Eigen::Vector2d {
-                const double a = depth[grid.index(in.column, in.row)];
-                const double b = depth[grid.index(out.column, out.row)];
-                const double t = std::isfinite(a) ? (a - least) / (a - b) : 0.5;
-                return level.map().at(in) +
-                       std::clamp(t, 0.0, 1.0) *
-                           (level.map().at(out) - level.map().at(in));
-              });
+        wall ? wallLines(level)
+             : isoLines(grid, inside, [&](Node in, Node out) -> Eigen::Vector2d {
+                 const double a = depth[grid.index(in.column, in.row)];
+                 const double b = depth[grid.index(out.column, out.row)];
+                 const double t = std::isfinite(a) ? (a - least) / (a - b) : 0.5;
+                 return level.map().at(in) +
+                        std::clamp(t, 0.0, 1.0) *
+                            (level.map().at(out) - level.map().at(in));
+               });
     for (const auto& line : lines) {
       const int area = labelBeside(grid, labels, line);
       if (area < 0)
         continue;
-      for (auto& stretch : neededStretches(level, line, level.stepOver())) {
+      // Nor does an area need lines that those round it clear to its middle.
+      if (k > 0 && inner[area] <= least - step + certain)
+        continue;
+      for (auto& stretch :
+           neededStretches(grid, wall ? at_walls : needed, line, level.stepOver())) {
         if (!walls) // what is left to cut lies within
           std::reverse(stretch.points.begin(), stretch.points.end());
         areas[area].lines.push_back(std::move(stretch));

@@ -44,10 +44,14 @@ private:
     return nearest;
   }
 
+  /// The point to begin at: any of a closed line, the nearer end of an open one.
   std::size_t beginningOf(const IsoLine& line) const
   {
     if (!line.closed)
-      return 0;
+      return (line.points.back() - at_).squaredNorm() <
+                     (line.points.front() - at_).squaredNorm()
+                 ? line.points.size() - 1
+                 : 0;
     std::size_t best = 0;
     for (std::size_t i = 1; i < line.points.size(); ++i)
       if ((line.points[i] - at_).squaredNorm() <
@@ -90,10 +94,13 @@ private:
   void mill(IsoLine& line)
   {
     auto& points = line.points;
+    const std::size_t first = beginningOf(line);
     if (line.closed) {
-      std::rotate(points.begin(), points.begin() + beginningOf(line), points.end());
+      std::rotate(points.begin(), points.begin() + first, points.end());
       points.push_back(points.front());
     }
+    else if (first > 0)
+      std::reverse(points.begin(), points.end());
     points = simplified(level_, std::move(points), level_.map().grid().cell / 8);
     if (points.size() < 2)
       return;

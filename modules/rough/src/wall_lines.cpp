@@ -15,14 +15,18 @@ namespace {
 
 constexpr int kHalvings = 4;
 
-/// Whether something is needed at a node of the square that @p p lies in.
-bool isNeeded(const Level& level, const Eigen::Vector2d& p)
+/// Whether any node of the square that @p p lies in is set.
+bool isSet(const CellGrid& grid,
+           const std::vector<unsigned char>& nodes,
+           const Eigen::Vector2d& p)
 {
-  const CellGrid& grid = level.map().grid();
   const double half = grid.cell / 2;
   const int column = grid.columnOf(p.x() - half), row = grid.rowOf(p.y() - half);
-  return level.isNeeded({column, row}) || level.isNeeded({column + 1, row}) ||
-         level.isNeeded({column, row + 1}) || level.isNeeded({column + 1, row + 1});
+  for (int r = row; r <= row + 1; ++r)
+    for (int c = column; c <= column + 1; ++c)
+      if (grid.has(c, r) && nodes[grid.index(c, r)])
+        return true;
+  return false;
 }
 
 } // namespace
@@ -71,11 +75,13 @@ simplified(const Level& level, std::vector<Eigen::Vector2d> line, double toleran
   return kept;
 }
 
-std::vector<IsoLine>
-neededStretches(const Level& level, const IsoLine& line, double gap)
+std::vector<IsoLine> neededStretches(const CellGrid& grid,
+                                     const std::vector<unsigned char>& nodes,
+                                     const IsoLine& line,
+                                     double gap)
 {
   std::vector<Eigen::Vector2d> points = line.points;
-  const auto needed = [&](const Eigen::Vector2d& p) { return isNeeded(level, p); };
+  const auto needed = [&](const Eigen::Vector2d& p) { return isSet(grid, nodes, p); };
   if (line.closed) {
     // Begin where nothing is needed, if anywhere, behind the longest such stretch.
     const std::size_t n = points.size();

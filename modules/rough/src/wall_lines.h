@@ -22,7 +22,10 @@ simplified(const Level& level, std::vector<Eigen::Vector2d> line, double toleran
 
 /// @brief The stretches of a line along which there is something to cut; those less
 /// than @p gap [mm] apart are taken as one. A closed line is opened where there is not.
-std::vector<IsoLine>
-neededStretches(const Level& level, const IsoLine& line, double gap);
+/// @param needed set for the nodes where there is
+std::vector<IsoLine> neededStretches(const CellGrid& grid,
+                                     const std::vector<unsigned char>& needed,
+                                     const IsoLine& line,
+                                     double gap);
 
 } // namespace pointmill

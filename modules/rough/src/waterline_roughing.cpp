@@ -8,15 +8,16 @@ namespace pointmill {
 
 std::vector<LevelPath> WaterlineRoughing::clearLevel(const Level& level, Report&) const
 {
-  const double cell = level.map().grid().cell;
+  const CellGrid& grid = level.map().grid();
+  const auto needed = level.neededNodes();
   std::vector<LevelPath> paths;
   for (const auto& wall : wallLines(level))
-    for (auto& stretch : neededStretches(level, wall, level.stepOver())) {
+    for (auto& stretch : neededStretches(grid, needed, wall, level.stepOver())) {
       if (stretch.closed)
         stretch.points.push_back(stretch.points.front());
       LevelPath path;
       path.reversible = false;
-      for (const auto& p : simplified(level, std::move(stretch.points), cell / 16))
+      for (const auto& p : simplified(level, std::move(stretch.points), grid.cell / 16))
         path.points.push_back({level.at(p)});
       if (path.points.size() > 1)
         paths.push_back(std::move(path));

@@ -37,6 +37,8 @@ public:
   {
     return map_->has(n) && state_[map_->index(n)] & kNeeded;
   }
+  /// @brief Set for the nodes that are needed.
+  std::vector<unsigned char> neededNodes() const;
   /// @brief Whether the straight move from @p a to @p b is proven free.
   bool isFree(const Eigen::Vector2d& a, const Eigen::Vector2d& b) const
   {

@@ -53,7 +53,9 @@ public:
   double certainRadius() const;
   /// @brief Set for the nodes at which the tool would cut something that is left to
   /// cut.
-  std::vector<unsigned char> nodesToCut() const;
+  std::vector<unsigned char> nodesToCut() const { return nodesToCut(certainRadius()); }
+  /// @brief The same for something within @p radius [mm].
+  std::vector<unsigned char> nodesToCut(double radius) const;
 
 private:
   double radius_, z_;
