@@ -24,7 +24,8 @@ public:
        const GCodeWriter& settings,
        MachineCalls& calls)
       : operations_(operations), calls_(calls), grid_(settings.getDecimals()),
-        clearance_(grid_.atOrAbove(static_cast<float>(settings.getClearancePlane())))
+        clearance_(grid_.atOrAbove(static_cast<float>(settings.getClearancePlane()))),
+        low_rapids_(settings.getLowRapids())
   {
   }
 
@@ -161,7 +162,7 @@ private:
       if (!to.sameColumn(at_)) {
         if (to.z != at_.z)
           refuse(i, "a rapid moves sideways and in Z at once");
-        if (to.z < clearance_)
+        if (to.z < clearance_ && !low_rapids_)
           refuse(i, "a rapid moves sideways below the clearance plane");
       }
       if (to == at_)
@@ -209,6 +210,7 @@ private:
   DecimalGrid grid_;
   DecimalGrid feed_grid_{3};
   std::int64_t clearance_;
+  bool low_rapids_;
   std::size_t index_ = 0;
   MachinePosition at_;
   long spindle_ = 0;
