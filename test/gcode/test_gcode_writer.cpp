@@ -297,6 +297,26 @@ TEST(GCodeWriter, RefusesRapids)
   EXPECT_EQ(refusalOf([](Operation& op) { op.path[5].x += 0.00001f; }), "accepted");
 }
 
+TEST(GCodeWriter, LowRapidsMustBeAllowed)
+{
+  Operation operation = sample::small();
+  auto& path = operation.path;
+  path[3].setMotion(Motion::Rapid);
+  path[3].z = path[2].z; // level
+  const auto write = [&](bool allowed) {
+    GCodeWriter writer;
+    writer.setClearancePlane(10);
+    writer.setLowRapids(allowed);
+    std::ostringstream out;
+    writer.write({operation}, out);
+    return out.str();
+  };
+  EXPECT_THROW(write(false), pointmill::DataError);
+  EXPECT_FALSE(write(true).empty());
+  path[3].z += 0.5f;
+  EXPECT_THROW(write(true), pointmill::DataError) << "slanted";
+}
+
 TEST(GCodeWriter, TellsWhenTheOutputFails)
 {
   GCodeWriter writer;

@@ -24,8 +24,8 @@ namespace pointmill {
 ///   its X and Y; between two operations of one tool it travels at the higher of both
 ///   ends.
 /// - `Motion::Rapid` and `Motion::Retract` become G0, all others G1 with the point's
-///   feed. A rapid is either vertical, or level on the clearance plane or above it;
-///   lower ones only where setLowRapids() says that they were proven.
+///   feed. A rapid is either vertical, or level on the clearance plane or above it, or
+///   below it where that is allowed.
 /// - X and Y are rounded to the nearest decimal, Z upwards; points that coincide
 ///   after rounding are written once.
 ///
@@ -50,9 +50,10 @@ public:
   /// @brief Z [mm], part frame, above which the tool may travel in rapid. Obligatory.
   void setClearancePlane(double z) { clearance_ = z; }
   double getClearancePlane() const { return clearance_; }
-  /// @brief Whether level rapids below the clearance plane are written: their planner
-  /// has proven them clear in whatever order the machine moves its axes.
-  void setLowRapids(bool proven) { low_rapids_ = proven; }
+
+  /// @brief Whether level rapids may run below the clearance plane, as LinkPasses plans
+  /// them where a machine may dog-leg.
+  void setLowRapids(bool allowed) { low_rapids_ = allowed; }
   bool getLowRapids() const { return low_rapids_; }
 
   /// @brief How far the control may blend corners [mm]: `G64 P.. Q0.`; 0: `G61`, exact
@@ -83,9 +84,9 @@ public:
 private:
   std::vector<std::string> comments_;
   double clearance_ = std::numeric_limits<double>::quiet_NaN();
-  bool low_rapids_ = false;
   double tolerance_ = 0.01;
   int decimals_ = 4;
+  bool low_rapids_ = false;
 };
 
 } // namespace pointmill

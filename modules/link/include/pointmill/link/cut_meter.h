@@ -18,8 +18,9 @@ struct CutFigures {
   double volume = 0;          ///< [mm3]
   double material_length = 0; ///< of feed moves that cut [mm]
   double air_length = 0;      ///< of feed moves that do not [mm]
-  /// Thickest layer that the tool takes at once [mm]: going down steeply, what it takes
-  /// in a quarter of the end's diameter.
+  /// Thickest layer that the tool takes at once, if it goes on level [mm], so an upper
+  /// figure where it climbs over what it begins to cut. Going down steeply, what it
+  /// takes in a quarter of the end's diameter.
   double max_axial = 0;
   /// Width of the cut, the area that is cut per length [mm], at most the diameter:
   /// the largest over any quarter of the end's diameter of way, and the mean in
