@@ -34,7 +34,8 @@ private:
   /// The tip comes no lower at (x, y), even without the part.
   double lowest(const CutterProfile& cutter, double x, double y) const
   {
-    return std::max(floor_, keep_out_.lowest(cutter, x, y));
+    return keep_out_.empty() ? floor_
+                             : std::max(floor_, keep_out_.lowest(cutter, x, y));
   }
 
   const PointIndex& part_;
