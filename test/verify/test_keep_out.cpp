@@ -95,6 +95,41 @@ TEST_F(Clamped, ARapidThatGoesRoundItMustClearItWhereverItsAxesArrive)
   EXPECT_EQ(find(result, "keep_out"), nullptr);
 }
 
+TEST_F(Clamped, WhatStaysUncutBecauseOfItIsCountedApart)
+{
+  const KeepOutZone clamp = KeepOutZone::box(24.2, 14.2, 34, 22, 6);
+  const KeepOut keep_out({clamp}, 1.0);
+  verifier.setKeepOut(keep_out);
+  // The flat's rows go as near to the zone as they may.
+  Text text;
+  text.over(-5, 0).feed(-5, 0, -2);
+  for (double y = 0; y <= 20; y += 0.5) {
+    double end = 33;
+    while (keep_out.lowest(Tool::flat(1, 6), end, y) > -2)
+      end -= 0.01;
+    text.feed(-5, y, -2).feed(end, y, -2).feed(end, y, 1).feed(-5, y, 1);
+  }
+  auto result = verifier.verify(text.end());
+  EXPECT_TRUE(result.good()) << codes(result);
+  // A disc reaches every place that is no nearer to the box than the margin: the box
+  // bulges.
+  std::size_t hidden = 0;
+  for (const auto& p : *cloud)
+    hidden += clamp.distance(p.x, p.y) < 1;
+  EXPECT_EQ(result.kept_out_points, hidden);
+  EXPECT_EQ(result.unreachable_points, result.kept_out_points);
+  EXPECT_EQ(result.untouched_points, hidden);
+  EXPECT_LE(result.residual.p99, 0.01); // without them
+  EXPECT_LE(result.deviation.p99, 0.01);
+
+  // Without the zone the same rows leave material that should not be there.
+  verifier.setKeepOut(KeepOut());
+  result = verifier.verify(text.end());
+  EXPECT_EQ(result.kept_out_points, 0u);
+  EXPECT_EQ(result.unreachable_points, 0u);
+  EXPECT_GT(result.residual.max, 1);
+}
+
 TEST_F(Clamped, WhereTheMachineStandsIsUnknownItMustBeAboveTheZones)
 {
   // The stock ends at 0, the clamp and its margin at 7.

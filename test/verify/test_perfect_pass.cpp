@@ -19,13 +19,15 @@ std::vector<double> bruteHeights(const PointIndex& part,
                                  const PointIndex& points,
                                  const Tool& tool,
                                  double floor,
-                                 double step)
+                                 double step,
+                                 const KeepOut& keep_out = KeepOut())
 {
   std::vector<double> heights(points.size(), 1e9);
   const double r = tool.radius();
   for (double y = part.min().y() - r; y <= part.max().y() + r; y += step)
     for (double x = part.min().x() - r; x <= part.max().x() + r; x += step) {
-      const double tip = std::max(floor, part.drop(tool, x, y).tip);
+      const double tip =
+          std::max({floor, part.drop(tool, x, y).tip, keep_out.lowest(tool, x, y)});
       for (std::size_t i = 0; i < points.size(); ++i) {
         const Eigen::Vector3d p = points.point(i);
         heights[i] =
@@ -97,6 +99,34 @@ TEST(PerfectPass, GoesNoLowerThanTheFloor)
       PerfectPass(*plate, Tool::flat(1, 2), 0.4, 2).heightsOver(*plate, 0.01);
   for (const float h : heights)
     EXPECT_FLOAT_EQ(h, 0.4f);
+}
+
+TEST(PerfectPass, StaysAboveZones)
+{
+  const auto part = indexOf(*roughPart(0.0));
+  const KeepOutZone clamp = KeepOutZone::box(2, -1, 2.6, 1.2, 1.0);
+  // The lowest tip has a step at a zone's reach: what one search finds, another one
+  // may find a node beside.
+  const double margin = 0.3, beside = 0.15;
+  for (const Tool& tool : {Tool::ball(1, 2), Tool::flat(2, 1)}) {
+    const double floor = 0.1, close = 0.01;
+    const auto heightsAt = [&](double m) {
+      return bruteHeights(*part, *part, tool, floor, 0.05, KeepOut({clamp}, m));
+    };
+    const auto heights = PerfectPass(*part, tool, floor, 2, KeepOut({clamp}, margin))
+                             .heightsOver(*part, close);
+    const auto bare = PerfectPass(*part, tool, floor, 2).heightsOver(*part, close);
+    const auto least = heightsAt(margin - beside), most = heightsAt(margin + beside);
+    std::size_t lifted = 0;
+    for (std::size_t i = 0; i < part->size(); ++i) {
+      EXPECT_GE(heights[i], least[i] - 0.1) << part->point(i).transpose();
+      // brute force may round a point at the very rim to outside of the tool
+      EXPECT_LE(heights[i], std::max(most[i], part->point(i).z()) + 0.1)
+          << part->point(i).transpose();
+      lifted += heights[i] > bare[i] + 0.1;
+    }
+    EXPECT_GT(lifted, 10u);
+  }
 }
 
 TEST(PerfectPass, IsTheSameForAnyNumberOfThreads)

@@ -38,9 +38,22 @@ Quantiles quantiles(std::vector<float>& values)
 struct Heights {
   const PointIndex& points;
   std::vector<float> left, perfect;
+  std::vector<float> free = {}; ///< what it would leave without zones, if there are any
 
   double z(std::size_t i) const { return points.point(i).z(); }
   double best(std::size_t i) const { return std::max<double>(z(i), perfect[i]); }
+  /// Whether only zones keep it from the point.
+  bool keptOut(std::size_t i) const
+  {
+    return !free.empty() && free[i] - z(i) <= kReach && perfect[i] > free[i] + kClose;
+  }
+  /// Right beside a zone a search in steps misses places that the program found.
+  void takeWhatWasDone()
+  {
+    for (std::size_t i = 0; i < free.size(); ++i)
+      if (perfect[i] > free[i] + kClose)
+        perfect[i] = std::min(perfect[i], std::max(free[i], left[i]));
+  }
   bool touched(std::size_t i) const { return std::isfinite(left[i]); }
 };
 
@@ -49,7 +62,8 @@ Quantiles deviations(const Heights& heights, double reach)
 {
   std::vector<float> off;
   for (std::size_t i = 0; i < heights.points.size(); ++i)
-    if (heights.touched(i) && heights.best(i) - heights.z(i) <= reach)
+    if (heights.touched(i) && heights.best(i) - heights.z(i) <= reach &&
+        !heights.keptOut(i))
       off.push_back(static_cast<float>(heights.left[i] - heights.z(i)));
   return quantiles(off);
 }
@@ -57,12 +71,17 @@ Quantiles deviations(const Heights& heights, double reach)
 /// What is left over the points.
 void judgeRest(const Heights& heights, Verification& result)
 {
-  std::vector<float> residual(heights.points.size());
-  for (std::size_t i = 0; i < residual.size(); ++i) {
+  std::vector<float> residual;
+  residual.reserve(heights.points.size());
+  for (std::size_t i = 0; i < heights.points.size(); ++i) {
+    const bool kept_out = heights.keptOut(i);
     result.untouched_points += !heights.touched(i);
-    result.unreachable_points += heights.best(i) - heights.z(i) > kReach;
+    result.unreachable_points += kept_out || heights.best(i) - heights.z(i) > kReach;
+    result.kept_out_points += kept_out;
     // infinite where no tool comes by
-    residual[i] = std::max(0.f, static_cast<float>(heights.left[i] - heights.best(i)));
+    if (!kept_out)
+      residual.push_back(
+          std::max(0.f, static_cast<float>(heights.left[i] - heights.best(i))));
   }
   result.residual = quantiles(residual);
   result.deviation = deviations(heights, kReach);
@@ -74,6 +93,7 @@ void judgePoints(const PointIndex& surface,
                  const PointIndex* raw,
                  const std::vector<SweptMove>& moves,
                  const PointLimits& limits,
+                 const KeepOut& keep_out,
                  unsigned threads,
                  Verification& result)
 {
@@ -89,9 +109,14 @@ void judgePoints(const PointIndex& surface,
       moves.rbegin(), moves.rend(), [](const SweptMove& m) { return !m.rapid; });
   if (last == moves.rend())
     return;
-  const PerfectPass perfect(
-      surface, *last->tool, std::max(surface.min().z(), limits.floor), threads);
+  const double floor = std::max(surface.min().z(), limits.floor);
+  const PerfectPass perfect(surface, *last->tool, floor, threads, keep_out);
   heights.perfect = perfect.heightsOver(surface, kClose);
+  if (!keep_out.empty()) {
+    heights.free =
+        PerfectPass(surface, *last->tool, floor, threads).heightsOver(surface, kClose);
+    heights.takeWhatWasDone();
+  }
   judgeRest(heights, result);
   if (!raw)
     return;

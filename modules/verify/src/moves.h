@@ -83,6 +83,7 @@ void judgePoints(const PointIndex& surface,
                  const PointIndex* raw,
                  const std::vector<SweptMove>& moves,
                  const PointLimits& limits,
+                 const KeepOut& keep_out,
                  unsigned threads,
                  Verification& result);
 

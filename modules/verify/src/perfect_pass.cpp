@@ -31,7 +31,7 @@ struct Best {
 /// it touches the part.
 class PerfectPass::RestGrid {
 public:
-  RestGrid(const PointIndex& part, const Tool& tool, double floor, unsigned threads)
+  RestGrid(const PerfectPass& pass, const PointIndex& part, const Tool& tool)
       : cell_(tool.radius() / kNodesPerRadius), x0_(part.min().x() - tool.radius()),
         y0_(part.min().y() - tool.radius())
   {
@@ -40,7 +40,8 @@ public:
     rows_ = static_cast<int>((size.y() + 2 * tool.radius()) / cell_) + 2;
     tip_.resize(static_cast<std::size_t>(columns_) * rows_);
     contact_.resize(tip_.size());
-    parallelFor(static_cast<std::size_t>(rows_), threads, [&](std::size_t row) {
+    const CutterProfile cutter = tool.profile();
+    parallelFor(static_cast<std::size_t>(rows_), pass.threads_, [&](std::size_t row) {
       std::vector<Contact> contacts(static_cast<std::size_t>(columns_));
       part.dropRow(tool,
                    {x0_, y(static_cast<int>(row))},
@@ -48,7 +49,10 @@ public:
                    contacts.size(),
                    contacts.data());
       for (std::size_t c = 0; c < contacts.size(); ++c) {
-        tip_[row * columns_ + c] = static_cast<float>(std::max(floor, contacts[c].tip));
+        const double lowest =
+            pass.lowest(cutter, x(static_cast<int>(c)), y(static_cast<int>(row)));
+        tip_[row * columns_ + c] =
+            static_cast<float>(std::max(lowest, contacts[c].tip));
         contact_[row * columns_ + c] = static_cast<std::uint32_t>(contacts[c].point);
       }
     });
@@ -150,8 +154,8 @@ private:
 class PerfectPass::Refinement {
 public:
   Refinement(const PerfectPass& pass, double close)
-      : part_(pass.part_), grid_(*pass.grid_), tool_(pass.tool_),
-        cutter_(tool_.profile()), floor_(pass.floor_), close_(close)
+      : pass_(pass), part_(pass.part_), grid_(*pass.grid_), tool_(pass.tool_),
+        cutter_(tool_.profile()), close_(close)
   {
   }
 
@@ -165,7 +169,8 @@ public:
         break;
       const Contact contact = part_.drop(tool_, guess.x, guess.y);
       const double d = std::hypot(guess.x - p.x, guess.y - p.y);
-      const double h = std::max(floor_, contact.tip) + cutter_.height(d);
+      const double h = std::max(pass_.lowest(cutter_, guess.x, guess.y), contact.tip) +
+                       cutter_.height(d);
       if (h < best.height)
         best = {h, guess.x, guess.y};
       if (h < guess.height + kSettled)
@@ -203,7 +208,7 @@ private:
     const double d2 = (x - p.x) * (x - p.x) + (y - p.y) * (y - p.y);
     if (d2 > tool_.radius() * tool_.radius())
       return kInfinity;
-    double tip = floor_;
+    double tip = pass_.lowest(cutter_, x, y);
     for (const auto& q : rests_) {
       const double q2 = (x - q.x()) * (x - q.x()) + (y - q.y()) * (y - q.y());
       if (q2 <= tool_.radius() * tool_.radius())
@@ -237,11 +242,12 @@ private:
     return best;
   }
 
+  const PerfectPass& pass_;
   const PointIndex& part_;
   const RestGrid& grid_;
   const Tool& tool_;
   const CutterProfile cutter_;
-  double floor_, close_;
+  double close_;
   std::vector<Eigen::Vector3d> rests_;
   std::vector<std::uint32_t> seen_;
 };
@@ -249,9 +255,10 @@ private:
 PerfectPass::PerfectPass(const PointIndex& part,
                          const Tool& tool,
                          double floor,
-                         unsigned threads)
-    : part_(part), tool_(tool), floor_(floor), threads_(threads),
-      grid_(std::make_unique<RestGrid>(part, tool, floor, threads))
+                         unsigned threads,
+                         KeepOut keep_out)
+    : part_(part), tool_(tool), floor_(floor), keep_out_(std::move(keep_out)),
+      threads_(threads), grid_(std::make_unique<RestGrid>(*this, part, tool))
 {
 }
 

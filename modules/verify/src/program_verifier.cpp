@@ -40,6 +40,7 @@ Verification ProgramVerifier::verify(const Program& program) const
               model_ ? part_.get() : nullptr,
               moves,
               {tolerance_, noise_allowance_, floor_},
+              keep_out_,
               threads_,
               result);
   if (protected_) {

@@ -58,7 +58,10 @@ struct Verification {
   Quantiles deviation;
   std::size_t points = 0;
   std::size_t unreachable_points = 0; ///< under the last tool's envelope
-  std::size_t untouched_points = 0;   ///< no tool passes over them
+  /// Of the unreachable those that it would reach if there were no keep-out zones: what
+  /// stays uncut because of them, and is in no residual.
+  std::size_t kept_out_points = 0;
+  std::size_t untouched_points = 0; ///< no tool passes over them
 
   std::size_t rapids_in_stock = 0;
   double rapid_depth = 0; ///< deepest of them [mm]
