@@ -2,6 +2,8 @@
 // Copyright (c) 2026, the PointMill authors
 #include "mill_command.h"
 
+#include "keep_out_option.h"
+
 #include <pointmill/mill/mill_job.h>
 #include <pointmill/mill/summary.h>
 
@@ -262,6 +264,17 @@ CLI::App* declareMill(CLI::App& app, MillCommand& command)
       ->group("Operations");
   add("--step-down", o.step_down, "MM", "of the roughing; 0: 0.3 d / 4", "Operations");
   add("--step-over", o.step_over, "MM", "of the roughing; 0: 0.4 d", "Operations");
+  mill->add_option("--keep-out",
+                   command.keep_out,
+                   std::string("where no tool may be, a clamp: ") + kKeepOutSyntax +
+                       "; may be repeated")
+      ->type_name("ZONE")
+      ->group("Machine and stock");
+  add("--keep-out-margin",
+      command.keep_out_margin,
+      "MM",
+      "that tools keep from such zones",
+      "Machine and stock");
   mill->add_option("--rest-tool",
                    command.rest_diameter,
                    "diameter of a flat end mill, T4, that cuts what the roughing tool "
@@ -340,6 +353,7 @@ int runMill(MillCommand& command)
   o.rough.tool = command.rough_tool.toolFrom(o.rough.tool);
   o.semi.tool = command.semi_tool.toolFrom(o.semi.tool);
   o.finish.tool = command.finish_tool.toolFrom(o.finish.tool);
+  o.keep_out = readKeepOut(command.keep_out, command.keep_out_margin);
   if (command.rest_diameter) {
     o.rest = o.rough; // its feeds and allowance
     o.rest->tool = Tool::flat(4, *command.rest_diameter);

@@ -20,6 +20,8 @@ struct MillCommand {
   ToolOptions rough_tool{"rough"}, semi_tool{"semi"}, finish_tool{"finish"};
   std::string scan, directory;
   std::optional<double> rest_diameter;
+  std::vector<std::string> keep_out;
+  double keep_out_margin = pointmill::KeepOut().margin();
   std::vector<double> polygon; ///< X and Y in turn
   std::vector<std::pair<double, double>> through_holes;
   bool quiet = false, no_square = false, keep_strays = false, no_coolant = false;

@@ -196,13 +196,10 @@ TEST_F(Entering, AHelixMakesAPassThatIsTooShortForAFlatEnd)
   EXPECT_EQ(report("helices"), 1);
 }
 
-TEST_F(Entering, KeepsClearOfObstacles)
+TEST_F(Entering, KeepsOutOfZones)
 {
   // As NotFromOutsideThroughThePart, with a clamp in place of the wall.
-  linker.setObstacles(
-      [](const Eigen::Vector2d& a, const Eigen::Vector2d& b, double radius) {
-        return std::min(a.x(), b.x()) - radius < 0 ? 5.0 : -INFINITY;
-      });
+  linker.setKeepOut(KeepOut({KeepOutZone::box(-50, -50, -0.5, 80, 4)}, 1.0));
   CLCloud passes;
   addPass(passes, 0, {{4, 15, -2}, {30, 15, -2}});
   for (const auto& p : link(linker, passes))

@@ -193,12 +193,7 @@ TEST_F(Lifting, ALowRapidMindsTheCornersOfItsBox)
                  kAllowance,
                  -0.5);
   EXPECT_NEAR(lowest(), 2, 1e-6); // from the passes themselves, with the approach
-  linker.setObstacles([](const Eigen::Vector2d& a, const Eigen::Vector2d& b, double r) {
-    const Eigen::Vector2d clamp(18, 4);
-    const double t = std::clamp(
-        (clamp - a).dot(b - a) / std::max(1e-9, (b - a).squaredNorm()), 0.0, 1.0);
-    return (a + t * (b - a) - clamp).norm() <= r ? 9.0 : -INFINITY;
-  });
+  linker.setKeepOut(KeepOut({KeepOutZone::cylinder(18, 4, 0.5, 8)}, 1.0));
   EXPECT_NEAR(lowest(), 10, 1e-6);
 }
 

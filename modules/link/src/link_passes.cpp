@@ -56,7 +56,7 @@ void LinkPasses::apply(CLCloud& output)
                             part_.get(),
                             allowance_,
                             floor_,
-                            obstacles_};
+                            keep_out_};
   const Entries entries(around, ramp_angle_, helix_radius_);
   const LeadArcs arcs(around, lead_radius_);
   const Transitions transitions(

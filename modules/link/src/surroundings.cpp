@@ -34,14 +34,10 @@ double Surroundings::lowestOver(const Vector3d& a, const Vector3d& b) const
 {
   if (!part)
     return kInfinity;
-  double lowest = std::max(
-      floor,
-      part->dropAlong(tool.grown(allowance), a.x(), a.y(), b.x(), b.y()) + allowance);
-  if (obstacles)
-    lowest = std::max(lowest,
-                      obstacles(a.head<2>(), b.head<2>(), tool.radius() + approach) +
-                          approach);
-  return lowest;
+  return std::max(
+      {floor,
+       part->dropAlong(tool.grown(allowance), a.x(), a.y(), b.x(), b.y()) + allowance,
+       keep_out.lowestAlong(tool, a.x(), a.y(), b.x(), b.y())});
 }
 
 bool Surroundings::isClear(const std::vector<Vector3d>& way) const
@@ -72,9 +68,7 @@ double Surroundings::highestInBox(const Vector3d& a, const Vector3d& b) const
                                    first.y(),
                                    last.x(),
                                    last.y()));
-  if (obstacles)
-    top = std::max(top, obstacles(first, last, radius + approach));
-  return top;
+  return std::max(top, keep_out.highestTop(low, high, tool.radius()));
 }
 
 double Surroundings::volumeOf(const std::vector<Vector3d>& way) const

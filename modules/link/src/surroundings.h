@@ -9,12 +9,12 @@ namespace pointmill {
 /// @brief What stands round a tool that goes from pass to pass, and how low it may go.
 struct Surroundings {
   Tool tool;
-  double clearance, approach;   ///< see LinkPasses [mm]
-  const StockField* stock;      ///< upper bound, or null
-  const StockField* nominal;    ///< or null
-  const PointIndex* part;       ///< or null: nothing is proven clear
-  double allowance, floor;      ///< [mm]
-  const ObstacleTop& obstacles; ///< may be empty
+  double clearance, approach; ///< see LinkPasses [mm]
+  const StockField* stock;    ///< upper bound, or null
+  const StockField* nominal;  ///< or null
+  const PointIndex* part;     ///< or null: nothing is proven clear
+  double allowance, floor;    ///< [mm]
+  const KeepOut& keep_out;
 
   /// @brief Radius within which a pass over a place has certainly cut.
   double certainRadius() const;
@@ -30,7 +30,7 @@ struct Surroundings {
   /// @brief Whether the level moves between neighbours of @p way are clear of the part.
   bool isClear(const std::vector<Eigen::Vector3d>& way) const;
   /// @brief What a machine that moves its axes one after the other, in any order or at
-  /// any speeds, may meet between two places: the highest stock, part or obstacle
+  /// any speeds, may meet between two places: the highest stock, part or zone
   /// within the cutter's radius of the box that they span.
   double highestInBox(const Eigen::Vector3d& a, const Eigen::Vector3d& b) const;
   /// @brief Volume that a way would take from the stock [mm3].

@@ -112,7 +112,7 @@ void MillJob::verify()
   }
   verifier.setStock(stock_);
   verifier.setTools(tools());
-  verifier.setKeepOut(keep_out_);
+  verifier.setKeepOut(options_.keep_out);
   // What the control may add by blending corners cannot be seen in the text.
   verifier.setTolerance(options_.tolerance - ErrorBudget::of(options_.tolerance).blend);
   if (options_.boundary.empty()) // beyond a polygon all is left over
@@ -147,7 +147,6 @@ void MillJob::plan(const std::string& scan)
   scan_name_ = std::filesystem::path(scan).filename().string();
   operations_.clear();
   seconds_.clear();
-  keep_out_ = KeepOut(options_.keep_out, options_.keep_out_margin);
   readAndAlign(scan);
   makeSurface();
   makeMap();

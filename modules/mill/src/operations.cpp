@@ -23,10 +23,7 @@ void MillJob::link(PlannedOperation& planned, const CLCloud& passes, double lead
   linker.setLeadRadius(lead_radius);
   linker.setRapidRate(options_.rapid_rate);
   linker.setLowRapids(true);
-  if (!keep_out_.empty())
-    linker.setObstacles([this](const auto& a, const auto& b, double radius) {
-      return keep_out_.highestTop(a.cwiseMin(b), a.cwiseMax(b), radius);
-    });
+  linker.setKeepOut(options_.keep_out);
   linker.setInputCloud(CLCloud::ConstPtr(new CLCloud(passes)));
   linker.filter(planned.operation.path);
   for (const auto& p : listParameters(linker))
@@ -76,6 +73,7 @@ CLCloud MillJob::rasterPasses(const ToolJob& job,
   else if (options_.over_stock)
     raster.setBoundary(stock_);
   raster.setOverhang(options_.overhang);
+  raster.setKeepOut(options_.keep_out);
   raster.setModel(model_);
   raster.setNumberOfThreads(options_.threads);
 

@@ -193,6 +193,7 @@ Json verificationJson(const Verification& v, double tolerance)
           {"rapid_depth_mm", v.rapid_depth},
           {"unreachable_points", v.unreachable_points},
           {"keep_out_depth_mm", v.keep_out_depth},
+          {"kept_out_points", v.kept_out_points},
           {"unreachable_share", static_cast<double>(v.unreachable_points) / points},
           {"untouched_points", v.untouched_points},
           {"feed_moves", v.feed_moves},
@@ -219,6 +220,9 @@ std::string reportJson(const MillJob& job, const std::string& scan_name)
   json["alignment"] = alignment;
   json["part"] = {{"size", vector(job.partSize())}, {"floor_z", job.floor()}};
   json["stock"] = {{"min", vector(job.stock().min)}, {"max", vector(job.stock().max)}};
+  for (const auto& zone : o.keep_out.zones())
+    json["keep_out"]["zones"].push_back(zone.describe());
+  json["keep_out"]["margin_mm"] = o.keep_out.margin();
   json["clearance_plane_z"] = job.clearancePlane();
   json["tools"] = Json::array();
   for (const auto& tool : job.tools())

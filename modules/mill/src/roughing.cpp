@@ -53,7 +53,7 @@ void MillJob::planLevels(LevelRoughing& roughing,
   roughing.setFloor(floor_);
   roughing.setStock(standing_);
   roughing.setPart(surface_);
-  roughing.setKeepOut(keep_out_);
+  roughing.setKeepOut(options_.keep_out);
   roughing.setNumberOfThreads(options_.threads);
   roughing.setInputCloud(map_);
   CLCloud passes;

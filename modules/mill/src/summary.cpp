@@ -68,6 +68,37 @@ double percent(std::size_t part, std::size_t whole)
   return 100.0 * double(part) / double(std::max<std::size_t>(1, whole));
 }
 
+/// What the roughing and what the zones leave standing.
+std::vector<std::string> leftLines(const MillJob& job)
+{
+  std::vector<std::string> lines;
+  for (const auto& o : job.operations()) {
+    if (o.narrow.empty())
+      continue;
+    const NarrowPlace& largest = o.narrow.front();
+    lines.push_back(print("too narrow %s does not get into %zu places, %.2f cm3; the "
+                          "largest, %.0f mm2, is at X%.1f Y%.1f Z%.1f\n",
+                          o.operation.tool.describe().c_str(),
+                          o.narrow.size(),
+                          o.report.get("narrow_mm3") / 1000,
+                          largest.area,
+                          largest.at.x(),
+                          largest.at.y(),
+                          largest.at.z()));
+  }
+  const KeepOut& zones = job.options().keep_out;
+  if (!zones.empty())
+    lines.push_back(
+        print("kept out   of %zu zones with a margin of %.1f mm: %.2f cm3 "
+              "of the roughing and %zu points (%.1f %%) stay uncut\n",
+              zones.zones().size(),
+              zones.margin(),
+              job.operations().front().report.get("kept_out_mm3") / 1000,
+              job.verification().kept_out_points,
+              percent(job.verification().kept_out_points, job.verification().points)));
+  return lines;
+}
+
 /// What each operation does, a line each.
 std::string operationsTable(const MillJob& job)
 {
@@ -208,6 +239,8 @@ std::string summaryOf(const MillJob& job, const std::string& directory)
   text +=
       print("not cut    %.1f %% of the points: out of reach, or covered by others\n",
             percent(v.unreachable_points, v.points));
+  for (const auto& line : leftLines(job))
+    text += line;
   text +=
       print("not seen   %zu gaps of the scan, %.1f mm2, and %.1f mm2 between points: "
             "%s\n",

@@ -2,6 +2,7 @@
 // Copyright (c) 2026, the PointMill authors
 #pragma once
 
+#include <pointmill/common/keep_out.h>
 #include <pointmill/common/operation.h>
 #include <pointmill/common/stage.h>
 #include <pointmill/link/cut_meter.h>
@@ -9,16 +10,9 @@
 #include <pointmill/surface/point_index.h>
 #include <pointmill/surface/stock_field.h>
 
-#include <functional>
 #include <memory>
 
 namespace pointmill {
-
-/// @brief Top of what must not be touched besides the part, clamps say, within @p
-/// radius of the straight line from @p a to @p b [mm]; -infinity where there is
-/// nothing.
-using ObstacleTop = std::function<double(
-    const Eigen::Vector2d& a, const Eigen::Vector2d& b, double radius)>;
 
 /// @brief Joins passes (`label`) in their order into the complete path of one
 /// operation: approach, entry, pass, link or retract, back to the clearance plane.
@@ -46,7 +40,7 @@ public:
   void setTool(const Tool& tool) { tool_ = tool; }
   void setCutting(const Cutting& cutting) { cutting_ = cutting; }
   /// @brief Where sideways rapids always may run [mm]; must be above the stock and all
-  /// obstacles.
+  /// zones that are kept out of.
   void setClearancePlane(double z) { clearance_ = z; }
   double getClearancePlane() const { return clearance_; }
   /// @brief Rapids down stop this far above the stock [mm].
@@ -91,9 +85,9 @@ public:
     allowance_ = allowance;
     floor_ = floor;
   }
-  /// @brief What links, lifts, entries and arcs have to keep clear of by the approach
-  /// besides the part.
-  void setObstacles(ObstacleTop top) { obstacles_ = std::move(top); }
+  /// @brief Where no tool may be: links, lifts, entries, arcs and rapids keep clear of
+  /// it. What the passes do is theirs.
+  void setKeepOut(KeepOut zones) { keep_out_ = std::move(zones); }
 
   /// @brief What the last run cut; zeros without a nominal stock.
   const CutFigures& getCutFigures() const { return cut_; }
@@ -136,7 +130,7 @@ private:
   std::shared_ptr<StockField> stock_, nominal_;
   std::shared_ptr<const PointIndex> part_;
   double allowance_ = 0.0, floor_ = -std::numeric_limits<double>::infinity();
-  ObstacleTop obstacles_;
+  KeepOut keep_out_;
   CutFigures cut_;
 };
 

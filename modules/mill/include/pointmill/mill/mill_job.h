@@ -97,10 +97,9 @@ public:
   /// @brief Above the stock and all zones that are kept out of.
   double clearancePlane() const
   {
-    return std::max(stock_.top(), keep_out_.highestTop()) + options_.clearance;
+    return std::max(stock_.top(), options_.keep_out.highestTop()) + options_.clearance;
   }
-  const KeepOut& keepOut() const { return keep_out_; }
-  /// @brief Of the program, by number of operation.
+  /// @brief All that may be in the program.
   std::vector<Tool> tools() const;
   double floor() const { return floor_; }
   double minutes() const;
@@ -153,7 +152,6 @@ private:
   std::shared_ptr<const SurfaceModel> model_;
   Stock stock_;
   std::shared_ptr<StockField> standing_, nominal_;
-  KeepOut keep_out_;
   double floor_ = 0, bridged_area_ = 0;
   std::vector<PlannedOperation> operations_;
   std::string program_;

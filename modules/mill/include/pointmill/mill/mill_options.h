@@ -79,8 +79,7 @@ struct MillOptions {
   double step_over = 0.0; ///< of the roughing; 0: 0.4 d
   /// Level ground that gets a level of the roughing [mm2]; NaN: the tool's end squared.
   double min_flat = std::numeric_limits<double>::quiet_NaN();
-  std::vector<KeepOutZone> keep_out; ///< of the part frame: clamps
-  double keep_out_margin = 1.0;      ///< that tools keep from them [mm]
+  KeepOut keep_out; ///< where no tool may be, in the part frame: clamps
   RasterDirection raster = RasterDirection::Auto;
   RasterPattern pattern = RasterPattern::ZigZag;
   MillingMode milling = MillingMode::Climb; ///< of one-way rows
