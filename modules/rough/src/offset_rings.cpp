@@ -145,7 +145,10 @@ std::vector<OffsetArea> offsetAreas(const Level& level, bool walls)
       if (k > 0 && inner[area] <= least - step + certain)
         continue;
       for (auto& stretch :
-           neededStretches(grid, wall ? at_walls : needed, line, level.stepOver())) {
+           neededStretches(grid,
+                           wall ? at_walls : needed,
+                           wall ? line : straightened(level, line, grid.cell / 8),
+                           level.stepOver())) {
         if (!walls) // what is left to cut lies within
           std::reverse(stretch.points.begin(), stretch.points.end());
         areas[area].lines.push_back(std::move(stretch));

@@ -101,7 +101,7 @@ private:
     }
     else if (first > 0)
       std::reverse(points.begin(), points.end());
-    points = simplified(level_, std::move(points), level_.map().grid().cell / 8);
+    points = corners(points);
     if (points.size() < 2)
       return;
     const bool joined = !paths_.empty() &&

@@ -9,6 +9,7 @@
 #include <boost/geometry/geometries/point_xy.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 namespace pointmill {
 namespace {
@@ -39,7 +40,7 @@ std::vector<IsoLine> wallLines(const Level& level)
   for (int row = 0; row < grid.rows; ++row)
     for (int column = 0; column < grid.columns; ++column)
       free[grid.index(column, row)] = level.isFree({column, row});
-  return isoLines(grid, free, [&](Node in, Node out) {
+  auto lines = isoLines(grid, free, [&](Node in, Node out) {
     Eigen::Vector2d good = map.at(in), bad = map.at(out);
     for (int i = 0; i < kHalvings; ++i) {
       const Eigen::Vector2d middle = (good + bad) / 2;
@@ -47,30 +48,62 @@ std::vector<IsoLine> wallLines(const Level& level)
     }
     return good;
   });
+  for (auto& line : lines)
+    line = straightened(level, line, grid.cell / 16);
+  return lines;
 }
 
-std::vector<Eigen::Vector2d>
-simplified(const Level& level, std::vector<Eigen::Vector2d> line, double tolerance)
+IsoLine straightened(const Level& level, const IsoLine& line, double tolerance)
 {
   namespace bg = boost::geometry;
   using Place = bg::model::d2::point_xy<double>;
+  auto points = line.points;
+  if (line.closed)
+    points.push_back(points.front());
   bg::model::linestring<Place> all, few;
-  for (const auto& p : line)
+  for (const auto& p : points)
     all.emplace_back(p.x(), p.y());
   bg::simplify(all, few, tolerance);
-  // Each stretch by itself: one that is not proven keeps its points.
-  std::vector<Eigen::Vector2d> kept{line.front()};
+
+  const double cell = level.map().grid().cell;
+  IsoLine straight{{points.front()}, line.closed};
+  const auto goTo = [&](const Eigen::Vector2d& to) {
+    const Eigen::Vector2d from = straight.points.back();
+    const int steps = static_cast<int>(std::ceil((to - from).norm() / cell));
+    for (int i = 1; i < steps; ++i)
+      straight.points.push_back(from + (to - from) * (double(i) / steps));
+    straight.points.push_back(to);
+  };
   std::size_t at = 0;
-  for (std::size_t k = 1; k < few.size(); ++k) {
+  for (std::size_t k = 1; k < few.size() && at + 1 < points.size(); ++k) {
     std::size_t to = at + 1;
-    while (to + 1 < line.size() &&
-           (line[to].x() != few[k].x() || line[to].y() != few[k].y()))
+    while (to + 1 < points.size() &&
+           (points[to].x() != few[k].x() || points[to].y() != few[k].y()))
       ++to;
-    if (to > at + 1 && !level.isFree(line[at], line[to]) &&
-        !level.isFreeOfPoints(line[at], line[to]))
-      kept.insert(kept.end(), line.begin() + at + 1, line.begin() + to);
-    kept.push_back(line[to]);
+    const bool proven = to == at + 1 || level.isFree(points[at], points[to]) ||
+                        level.isFreeOfPoints(points[at], points[to]);
+    for (std::size_t i = proven ? to : at + 1; i <= to; ++i)
+      goTo(points[i]);
     at = to;
+  }
+  if (line.closed && straight.points.size() > 1)
+    straight.points.pop_back();
+  return straight;
+}
+
+std::vector<Eigen::Vector2d> corners(const std::vector<Eigen::Vector2d>& points)
+{
+  std::vector<Eigen::Vector2d> kept;
+  for (const auto& p : points) {
+    if (kept.size() >= 2) {
+      const Eigen::Vector2d u = kept.back() - kept[kept.size() - 2],
+                            v = p - kept.back();
+      const double across = u.x() * v.y() - u.y() * v.x();
+      if (std::abs(across) <= 1e-9 * u.norm() * v.norm() && u.dot(v) > 0)
+        kept.pop_back();
+    }
+    if (kept.empty() || kept.back() != p)
+      kept.push_back(p);
   }
   return kept;
 }

@@ -17,7 +17,7 @@ std::vector<LevelPath> WaterlineRoughing::clearLevel(const Level& level, Report&
         stretch.points.push_back(stretch.points.front());
       LevelPath path;
       path.reversible = false;
-      for (const auto& p : simplified(level, std::move(stretch.points), grid.cell / 16))
+      for (const auto& p : corners(stretch.points))
         path.points.push_back({level.at(p)});
       if (path.points.size() > 1)
         paths.push_back(std::move(path));
