@@ -192,7 +192,8 @@ Json compare(const bench::RoughPart& part, const Options& options)
     Json row = {{"name", strategy.name}, {"title", strategy.title}};
     row.update(result.figures);
     if (!options.pictures.empty()) {
-      const std::string file = std::string(part.name) + "_" + strategy.name + ".png";
+      const std::string file =
+          std::string("rough_") + part.name + "_" + strategy.name + ".png";
       draw(options.pictures + "/" + file,
            std::string(part.title) + ", " + strategy.title,
            job,

@@ -76,7 +76,7 @@ LevelLegend::LevelLegend(
       return m.kind == kind && m.from != m.to;
     });
   };
-  const auto thickness = static_cast<float>(unit) / 4;
+  const float thickness = lineThickness(unit);
   items_.push_back({"cuts, first to last", 8 * unit, paintOrder});
   if (shows(MoveKind::Entry))
     items_.push_back({"ramp", 3 * unit, stroke(kEntryMove, 2.6f * thickness)});
