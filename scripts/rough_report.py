@@ -44,13 +44,13 @@ def table(head, rows):
 
 
 def times(runs, titles):
-    """Seconds and sizes of each case and strategy, the quickest of its repetitions."""
+    """Times and sizes of each case and strategy, the quickest of its repetitions."""
     best = {}
     for run in runs:
         if run.get("run_type") != "aggregate":
-            name = tuple(run["name"].split("/")[:2])
-            if name not in best or run["real_time"] < best[name]["real_time"]:
-                best[name] = run
+            kept = best.setdefault(tuple(run["name"].split("/")[:2]), run)
+            for time in ("real_time", "cpu_time"):
+                kept[time] = min(kept[time], run[time])
     rows = []
     for (case, strategy), run in best.items():
         rows.append(
