@@ -39,7 +39,7 @@ if [ "$which" != drop ]; then
   build/release/bin/bench_rough --benchmark_repetitions=5 \
     --benchmark_out=build/release/bench_rough.json --benchmark_out_format=json "$@"
   rm -f doc/images/rough_*.png
-  build/release/bin/compare_roughing --pictures doc/images --width 720 \
+  build/release/bin/compare_roughing --pictures doc/images --width 600 \
     >build/release/compare_roughing.json
   scripts/rough_report.py build/release/bench_rough.json \
     build/release/compare_roughing.json --page BENCHMARK.md

@@ -21,19 +21,32 @@ CASES = {
 }
 
 
-# A figure of compare_roughing: its key, its head, what it is divided by, and whether it
-# is added up over the parts. A new figure needs a line here.
+def share_in_air(row):
+    return 100 * row["air_mm"] / row["feed_mm"]
+
+
+def lifts(row):
+    return row["lifts"] + row["retracts"]
+
+
+# A figure of compare_roughing: its head, its key or what computes it, what that is
+# divided by, and whether it means something for figures added up over the parts. A new
+# figure needs a line here.
 FIGURES = [
-    ("cl_points", "CL points", 1, True),
-    ("passes", "passes", 1, True),
-    ("retracts", "retracts", 1, True),
-    ("cutting_mm", "feed m", 1e3, True),
-    ("rapid_mm", "rapid m", 1e3, True),
+    ("CL points", "cl_points", 1, True),
+    ("feed m", "feed_mm", 1e3, True),
+    ("in air m", "air_mm", 1e3, True),
+    ("in air %", share_in_air, 1, True),
+    ("rapid m", "rapid_mm", 1e3, True),
+    ("lifts", lifts, 1, True),
     ("minutes", "minutes", 1, True),
-    ("removed_mm3", "removed cm3", 1e3, True),
-    ("left_mm3", "left cm3", 1e3, True),
-    ("plan_s", "plan ms", 1e-3, True),
-    ("link_s", "link ms", 1e-3, True),
+    ("mean width mm", "mean_width_mm", 1, False),
+    ("max width mm", "max_width_mm", 1, False),
+    ("max depth mm", "max_depth_mm", 1, False),
+    ("removed cm3", "removed_mm3", 1e3, True),
+    ("left cm3", "left_mm3", 1e3, True),
+    ("plan ms", "plan_s", 1e-3, True),
+    ("link ms", "link_s", 1e-3, True),
 ]
 PICTURES_A_ROW = 3
 
@@ -69,17 +82,18 @@ def times(runs, titles):
     return table(head, rows)
 
 
-def cell(value, scale):
+def cell(row, figure, scale):
+    value = figure(row) if callable(figure) else row[figure]
     return f"{value:,}" if isinstance(value, int) else number(value / scale)
 
 
-def figures(strategies, columns):
-    shown = [f for f in columns if f[0] in strategies[0]]
-    rows = [
-        [s["title"]] + [cell(s[key], scale) for key, _, scale, _ in shown]
-        for s in strategies
+def figures(rows, columns):
+    """A table with a line for each strategy."""
+    lines = [
+        [row["title"]] + [cell(row, figure, scale) for _, figure, scale, _ in columns]
+        for row in rows
     ]
-    return table(["strategy"] + [title for _, title, _, _ in shown], rows)
+    return table(["strategy"] + [column[0] for column in columns], lines)
 
 
 def pictures(part):
@@ -98,13 +112,13 @@ def pictures(part):
 def total(parts):
     """What a strategy needs for all parts."""
     sums = []
-    for i, strategy in enumerate(parts[0]["strategies"]):
-        added = {"title": strategy["title"]}
-        for key, _, _, adds in FIGURES:
-            if adds and key in strategy:
-                added[key] = sum(part["strategies"][i][key] for part in parts)
+    for rows in zip(*(part["strategies"] for part in parts)):
+        added = {"title": rows[0]["title"]}
+        for key, value in rows[0].items():
+            if not isinstance(value, str):
+                added[key] = sum(row[key] for row in rows)
         sums.append(added)
-    return figures(sums, [f for f in FIGURES if f[3]])
+    return figures(sums, [column for column in FIGURES if column[3]])
 
 
 def report(bench, compared):
