@@ -107,13 +107,19 @@ Result measure(const bench::Strategy& strategy, const RoughJob& job, int repetit
         [&] { result.path = bench::linkPasses(linker, job, standing, passes); }));
     volumes = volumesOf(job, *standing.nominal);
   }
-  const PathFigures path = measurePath(result.path, job.options.rapid_rate);
+  const PathFigures path =
+      measurePath(result.path, job.options.rapid_rate, linker.getCutFigures());
   result.figures = {{"cl_points", path.cl_points},
                     {"passes", path.passes},
                     {"retracts", path.retracts},
-                    {"cutting_mm", path.cutting_length},
+                    {"lifts", static_cast<int>(linker.getReport().get("lifts"))},
+                    {"feed_mm", path.cutting_length},
+                    {"air_mm", path.cut.air_length},
                     {"rapid_mm", path.rapid_length},
                     {"minutes", path.minutes},
+                    {"mean_width_mm", path.cut.mean_radial},
+                    {"max_width_mm", path.cut.max_radial},
+                    {"max_depth_mm", path.cut.max_axial},
                     {"removed_mm3", volumes.removed},
                     {"left_mm3", volumes.left},
                     {"skipped", linker.getReport().get("skipped")},
@@ -192,7 +198,8 @@ Json compare(const bench::RoughPart& part, const Options& options)
     Json row = {{"name", strategy.name}, {"title", strategy.title}};
     row.update(result.figures);
     if (!options.pictures.empty()) {
-      const std::string file = std::string(part.name) + "_" + strategy.name + ".png";
+      const std::string file =
+          std::string("rough_") + part.name + "_" + strategy.name + ".png";
       draw(options.pictures + "/" + file,
            std::string(part.title) + ", " + strategy.title,
            job,

@@ -70,6 +70,9 @@ CLCloud linkPasses(LinkPasses& linker,
   linker.setNominalStock(standing.nominal);
   linker.setPart(job.part, job.options.allowance, job.floor);
   linker.setStayDown(2 * job.options.tool.diameter);
+  linker.setLeadRadius(job.options.tool.endDiameter() / 10);
+  linker.setRapidRate(job.options.rapid_rate);
+  linker.setLowRapids(true);
   linker.setInputCloud(CLCloud::ConstPtr(new CLCloud(passes)));
   CLCloud path;
   linker.filter(path);

@@ -2,20 +2,45 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Copyright (c) 2026, the PointMill authors
 #
-# scripts/bench.sh [OPTION...]
-#   Builds and runs the benchmarks, prints their table, and puts it into BENCHMARK.md with
-#   the plot doc/images/bench.svg. OPTIONs go to bench_drop: --points=1e5,1e6,1e7,1e8 takes
-#   other numbers of points (the last needs 5 GiB), the rest is Google Benchmark's.
+# scripts/bench.sh [drop|rough] [OPTION...]
+#   Builds and runs the benchmarks, prints their tables, and puts them into BENCHMARK.md:
+#     drop   the engine, with the plot doc/images/bench.svg. OPTIONs go to bench_drop:
+#            --points=1e5,1e6,1e7,1e8 takes other numbers of points (the last needs
+#            5 GiB), the rest is Google Benchmark's.
+#     rough  the roughing strategies, with the pictures doc/images/rough_*.png. OPTIONs go
+#            to bench_rough, they are Google Benchmark's.
+#   Without a word both are run, and take no OPTIONs.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
+
+which=${1-both}
+case $which in
+  drop | rough) shift ;;
+  both) ;;
+  *) sed -n 's/^# \{0,1\}//; 5,12p' "$0" >&2; exit 1 ;;
+esac
 
 scripts/dependencies.sh build bench
 # The tests need more packages; where they are off, they stay off.
 options=(-DPOINTMILL_BUILD_BENCH=ON)
 [ -e build/release/build.ninja ] || options+=(-DPOINTMILL_BUILD_TESTS=OFF)
 cmake --preset release "${options[@]}"
-cmake --build --preset release --target bench_drop
-build/release/bin/bench_drop --benchmark_repetitions=3 \
-  --benchmark_out=build/release/bench.json --benchmark_out_format=json "$@"
-scripts/bench_report.py build/release/bench.json --page BENCHMARK.md \
-  --plot doc/images/bench.svg
+
+if [ "$which" != rough ]; then
+  cmake --build --preset release --target bench_drop
+  build/release/bin/bench_drop --benchmark_repetitions=3 \
+    --benchmark_out=build/release/bench.json --benchmark_out_format=json "$@"
+  scripts/bench_report.py build/release/bench.json --page BENCHMARK.md \
+    --plot doc/images/bench.svg
+fi
+
+if [ "$which" != drop ]; then
+  cmake --build --preset release --target bench_rough compare_roughing
+  build/release/bin/bench_rough --benchmark_repetitions=5 \
+    --benchmark_out=build/release/bench_rough.json --benchmark_out_format=json "$@"
+  rm -f doc/images/rough_*.png
+  build/release/bin/compare_roughing --pictures doc/images --width 600 \
+    >build/release/compare_roughing.json
+  scripts/rough_report.py build/release/bench_rough.json \
+    build/release/compare_roughing.json --page BENCHMARK.md
+fi

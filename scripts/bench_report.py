@@ -155,6 +155,22 @@ def plot(best):
     return "\n".join(out) + "\n"
 
 
+def put(path, mark, text):
+    """Replaces what stands between <!-- mark: ... --> and <!-- /mark --> of a page."""
+    with open(path, encoding="utf-8") as page:
+        old = page.read()
+    new, found = re.subn(
+        rf"(<!-- {mark}:[^\n]*\n).*(<!-- /{mark} -->)",
+        lambda m: m[1] + "\n" + text + "\n\n" + m[2],
+        old,
+        flags=re.S,
+    )
+    if not found:
+        raise SystemExit(f"{path} has no marks for {mark}")
+    with open(path, "w", encoding="utf-8") as page:
+        page.write(new)
+
+
 def main():
     arguments = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     arguments.add_argument("files", nargs="+")
@@ -168,16 +184,7 @@ def main():
         with open(options.plot, "w", encoding="utf-8") as out:
             out.write(plot(best))
     if options.page:
-        with open(options.page, encoding="utf-8") as page:
-            old = page.read()
-        new = re.sub(
-            r"(<!-- figures:[^\n]*\n).*(<!-- /figures -->)",
-            lambda m: m[1] + "\n" + text + "\n\n" + m[2],
-            old,
-            flags=re.S,
-        )
-        with open(options.page, "w", encoding="utf-8") as page:
-            page.write(new)
+        put(options.page, "figures", text)
 
 
 if __name__ == "__main__":

@@ -113,8 +113,8 @@ struct Above {
   }
 };
 
-/// Lighter or darker by the slope of the heights, lit from the upper left; in steps,
-/// which keep the file small.
+/// Lighter or darker by the slope of the heights, lit from the upper left; in whole
+/// tones, which keep the hue and the file small.
 float light(const Grid& grid, const Blend& blend)
 {
   const auto slope = [&](int dc, int dr) {
@@ -127,12 +127,12 @@ float light(const Grid& grid, const Blend& blend)
   const double lit = (slope(1, 0) * (grid.stepX() > 0 ? 1 : -1) -
                       slope(0, 1) * (grid.stepY() > 0 ? 1 : -1)) /
                      std::sqrt(2.0);
-  return static_cast<float>(std::round(5 * std::clamp(lit, -1.0, 1.0)) / 50);
+  return static_cast<float>(std::round(3 * std::clamp(lit, -1.0, 1.0)) / (kTones - 1));
 }
 
 Rgb lit(const Rgb& colour, float light)
 {
-  return light > 0 ? mix(colour, kPage, light) : colour * (1 + light);
+  return colour + Rgb{light, light, light};
 }
 
 } // namespace

@@ -9,10 +9,12 @@
 
 namespace pointmill::visual {
 
-constexpr Rgb kPartAbove = hex(0xDC8F86);
-constexpr Rgb kStanding = hex(0xEADBBD);
-constexpr Rgb kSwept = hex(0xDCE8F0);
-constexpr Rgb kCutAway = hex(0xF4F4F2);
+constexpr int kTones = 32; ///< of each channel; more would make the file larger only
+
+constexpr Rgb kPartAbove = hex(0xDE8C84);
+constexpr Rgb kStanding = hex(0xE6DEBD);
+constexpr Rgb kSwept = hex(0xDEE6EF);
+constexpr Rgb kCutAway = hex(0xF7F7F7);
 
 constexpr double kTouch = 1e-6; ///< higher stock than this above a level stands [mm]
 

@@ -76,12 +76,13 @@ LevelLegend::LevelLegend(
       return m.kind == kind && m.from != m.to;
     });
   };
-  const auto thickness = static_cast<float>(unit) / 4;
+  const float thickness = lineThickness(unit);
   items_.push_back({"cuts, first to last", 8 * unit, paintOrder});
   if (shows(MoveKind::Entry))
-    items_.push_back({"ramp", 3 * unit, stroke(kEntryMove, 2.6f * thickness)});
+    items_.push_back(
+        {"ramp or lead-in", 3 * unit, stroke(kEntryMove, 2.6f * thickness)});
   if (shows(MoveKind::Link))
-    items_.push_back({"link", 3 * unit, stroke(kLinkMove, thickness)});
+    items_.push_back({"link or lead-out", 3 * unit, stroke(kLinkMove, thickness)});
   if (shows(MoveKind::Rapid))
     items_.push_back({"rapid", 4 * unit, [=](Canvas& canvas, const Rect& r) {
                         drawRapid(canvas, left(r), right(r), thickness);

@@ -10,6 +10,12 @@ namespace pointmill::visual {
 constexpr Rgb kEntryMove = hex(0xD55E00);
 constexpr Rgb kLinkMove = hex(0xE69F00);
 
+/// @brief Thickness of a cut in a picture whose sizes follow @p unit [px].
+inline float lineThickness(int unit)
+{
+  return 0.3f * static_cast<float>(unit);
+}
+
 /// @brief Colour of a cut by its order, @p t from 0 (first) to 1: dark violet to light
 /// green, ever lighter (after viridis, without its yellow, which is faint on white).
 Rgb orderColour(float t);

@@ -22,7 +22,6 @@ namespace {
 using namespace visual;
 
 constexpr int kUnits = 84;        ///< to the picture's width; all sizes follow
-constexpr int kTones = 32;        ///< of each channel; more make the file larger only
 constexpr double kTallest = 1.15; ///< of the drawing, relative to its width
 
 /// All that a picture must hold [mm].
@@ -116,7 +115,7 @@ void writeLevel(const std::string& path, const LevelScene& scene, int width)
              fitText(scene.figures[i], room, text),
              text);
   drawGround(canvas, plan, scene, moves, z);
-  const auto thickness = static_cast<float>(unit) / 4;
+  const float thickness = lineThickness(unit);
   drawStock(canvas, plan, scene.stock, 0.7f * thickness);
   drawMoves(canvas, plan, moves, thickness);
   drawScaleBar(canvas, margin, ruler, room / 4, plan.scale, {2 * unit, false, kInk});
