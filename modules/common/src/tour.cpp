@@ -24,6 +24,7 @@ using Tree = bg::index::rtree<Entry, bg::index::quadratic<16>>;
 constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
 constexpr std::size_t kNeighbours = 4;      // of a place, for each way of an item
 constexpr std::size_t kFew = 64;            // items or places; time for all of them
+constexpr std::size_t kTable = 1000;        // places with a table of their costs
 constexpr std::size_t kLongestTurn = 25000; // items; longer ones take too long
 constexpr std::size_t kFarthestMove = 1000; // items
 constexpr std::size_t kLongestMove = 3;     // items that are moved elsewhere together
@@ -65,12 +66,19 @@ struct Ways {
       }
     }
     first.push_back(ways.size());
+    if (given && places.size() <= kTable) // which may take longer than to look it up
+      table_.assign(places.size() * places.size(), -1.0);
   }
 
   std::size_t items() const { return first.size() - 1; }
   double between(std::size_t place, std::size_t other) const
   {
-    return cost(places[place], places[other]);
+    if (table_.empty())
+      return cost(places[place], places[other]);
+    double& known = table_[std::min(place, other) * places.size() + std::max(place, other)];
+    if (known < 0)
+      known = cost(places[place], places[other]);
+    return known;
   }
   /// From way to way; nothing before the first and behind the last.
   double step(std::size_t a, std::size_t b) const
@@ -87,6 +95,8 @@ struct Ways {
   Spot spot(std::size_t place) const { return {places[place].x(), places[place].y()}; }
 
 private:
+  mutable std::vector<double> table_; // of costs; negative: not known yet
+
   std::size_t place(std::size_t own, const Eigen::Vector2d& at)
   {
     if (!at.allFinite())

@@ -65,7 +65,7 @@ LevelMap::LevelMap(const CellCloud& map,
                    const StockField& stock,
                    const Clearing& clearing,
                    unsigned threads)
-    : threads_(threads), tool_(clearing.tool)
+    : threads_(threads), tool_(clearing.tool), stock_(stock.stock())
 {
   const CellGrid cells = CellGrid::of(map);
   // So that the tool can run round the stock and the part.

@@ -2,10 +2,12 @@
 // Copyright (c) 2026, the PointMill authors
 #include "stay_down.h"
 
+#include <pointmill/common/tour.h>
+
 #include <algorithm>
 #include <cmath>
 #include <queue>
-#include <unordered_map>
+#include <utility>
 
 namespace pointmill {
 namespace {
@@ -13,27 +15,26 @@ namespace {
 /// Ways of the tool over nodes of a level that are free and clear of material.
 class Ways {
 public:
-  Ways(const Level& level, const Material& material) : level_(level), material_(material)
+  Ways(const Level& level, const Material& material)
+      : level_(level), material_(material), seen_(level.map().grid().size())
   {
   }
 
   /// The shortest way over neighbouring nodes (A*), empty if it is longer than `most`.
-  Chain find(Node from, Node to, double most) const
+  Chain find(Node from, Node to, double most)
   {
     const CellGrid& grid = level_.map().grid();
-    struct Seen {
-      double way;
-      std::size_t before;
-    };
+    if (estimate(from, to) * grid.cell > most)
+      return {};
     using Open = std::pair<double, std::size_t>;
     std::priority_queue<Open, std::vector<Open>, std::greater<Open>> open;
-    std::unordered_map<std::size_t, Seen> seen;
+    ++search_;
     const auto node = [&](std::size_t i) {
       return Node{static_cast<int>(i) % grid.columns, static_cast<int>(i) / grid.columns};
     };
     const std::size_t goal = level_.map().index(to);
     const std::size_t start = level_.map().index(from);
-    seen[start] = {0, start};
+    seen_[start] = {search_, 0, start};
     open.push({estimate(from, to), start});
     while (!open.empty()) {
       const auto [sum, i] = open.top();
@@ -43,7 +44,7 @@ public:
       if (i == goal)
         break;
       const Node at = node(i);
-      const double way = seen[i].way;
+      const double way = seen_[i].way;
       if (sum > way + estimate(at, to) + 1e-9)
         continue; // a better way was found since
       for (int dr = -1; dr <= 1; ++dr)
@@ -53,18 +54,18 @@ public:
             continue;
           const double longer = way + std::hypot(dc, dr);
           const std::size_t k = level_.map().index(next);
-          const auto it = seen.find(k);
-          if (it != seen.end() && it->second.way <= longer + 1e-9)
+          Seen& there = seen_[k];
+          if (there.search == search_ && there.way <= longer + 1e-9)
             continue;
-          seen[k] = {longer, i};
+          there = {search_, longer, i};
           open.push({longer + estimate(next, to), k});
         }
     }
-    if (seen.find(goal) == seen.end())
+    if (seen_[goal].search != search_)
       return {};
     Chain chain{to};
     for (std::size_t i = goal; i != start; chain.push_back(node(i)))
-      i = seen[i].before;
+      i = seen_[i].before;
     std::reverse(chain.begin(), chain.end());
     return chain;
   }
@@ -85,8 +86,16 @@ private:
     return std::max(dx, dy) + (std::sqrt(2.0) - 1) * std::min(dx, dy);
   }
 
+  struct Seen {
+    int search = 0; // that the rest is of
+    double way = 0; // from its start [nodes]
+    std::size_t before = 0;
+  };
+
   const Level& level_;
   const Material& material_;
+  std::vector<Seen> seen_; // by node
+  int search_ = 0;
 };
 
 Node nodeAt(const Level& level, const PathPoint& p)
@@ -99,17 +108,16 @@ Node nodeAt(const Level& level, const PathPoint& p)
 
 std::vector<LevelPath> joinPaths(const Level& level,
                                  Material& material,
-                                 std::vector<LevelPath> paths,
-                                 double most)
+                                 std::vector<LevelPath> paths)
 {
   std::vector<LevelPath> joined;
-  const Ways ways(level, material);
+  Ways ways(level, material);
   for (auto& path : paths) {
     Chain way;
     if (!joined.empty()) {
       const Node from = nodeAt(level, joined.back().points.back());
       const Node to = nodeAt(level, path.points.front());
-      way = ways.find(from, to, most);
+      way = ways.find(from, to, retractCost(level));
     }
     material.cut(path);
     if (way.empty()) {
@@ -124,6 +132,37 @@ std::vector<LevelPath> joinPaths(const Level& level,
     joined.back().reversible = joined.back().reversible && path.reversible;
   }
   return joined;
+}
+
+double retractCost(const Level& level)
+{
+  return 6 * level.map().tool().diameter;
+}
+
+double airBetween(const Level& level, const Eigen::Vector2d& a, const Eigen::Vector2d& b)
+{
+  return (a - b).norm() + (level.isFree(a, b) ? 0 : retractCost(level));
+}
+
+std::vector<LevelPath>
+shortRest(const Level& level, Material& material, const std::vector<LevelPath>& rest)
+{
+  std::vector<TourItem> items;
+  for (const auto& path : rest) {
+    const Eigen::Vector2d in = path.points.front().at.head<2>();
+    const Eigen::Vector2d out = path.points.back().at.head<2>();
+    items.push_back({{in, out}, {out, in}});
+  }
+  const auto air = [&](const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+    return airBetween(level, a, b);
+  };
+  std::vector<LevelPath> paths;
+  for (const TourStop& stop : shortTour(items, TourStart::Any, air).stops) {
+    paths.push_back(rest[stop.item]);
+    if (stop.way > 0)
+      std::reverse(paths.back().points.begin(), paths.back().points.end());
+  }
+  return joinPaths(level, material, std::move(paths));
 }
 
 } // namespace pointmill

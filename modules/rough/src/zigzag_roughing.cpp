@@ -11,26 +11,14 @@
 namespace pointmill {
 namespace {
 
-/// What a retract costs in way at feed, in tool diameters: up, down and a ramp.
-constexpr double kRetract = 6;
-
-/// Air between two places of a level: straight if that is free, else over it all.
-struct Air {
-  const Level& level;
-  double retract = kRetract * level.map().tool().diameter;
-
-  double operator()(const Eigen::Vector2d& a, const Eigen::Vector2d& b) const
-  {
-    return (a - b).norm() + (level.isFree(a, b) ? 0 : retract);
-  }
-  double operator()(Node a, Node b) const
-  {
-    return (*this)(level.map().at(a), level.map().at(b));
-  }
-};
+/// Air between two nodes.
+double airBetween(const Level& level, Node a, Node b)
+{
+  return airBetween(level, level.map().at(a), level.map().at(b));
+}
 
 /// The paper's order: row by row, to and fro, each span from its end to its other end.
-double airRowByRow(const std::vector<std::vector<RowSpan>>& rows, const Air& air)
+double airRowByRow(const Level& level, const std::vector<std::vector<RowSpan>>& rows)
 {
   double sum = 0;
   bool begun = false, left = false;
@@ -39,7 +27,7 @@ double airRowByRow(const std::vector<std::vector<RowSpan>>& rows, const Air& air
     for (std::size_t i = 0; i < row.size(); ++i) {
       const RowSpan& span = left ? row[row.size() - 1 - i] : row[i];
       if (begun)
-        sum += air(at, span.end(left));
+        sum += airBetween(level, at, span.end(left));
       at = span.end(!left);
       begun = true;
     }
@@ -48,12 +36,12 @@ double airRowByRow(const std::vector<std::vector<RowSpan>>& rows, const Air& air
   return sum;
 }
 
-double airWithin(const RowRegion& region, bool right, const Air& air)
+double airWithin(const Level& level, const RowRegion& region, bool right)
 {
   double sum = 0;
   for (std::size_t i = 1; i < region.size(); ++i) {
     right = !right;
-    sum += air(region[i - 1].end(right), region[i].end(right));
+    sum += airBetween(level, region[i - 1].end(right), region[i].end(right));
   }
   return sum;
 }
@@ -65,7 +53,9 @@ std::vector<LevelPath> ZigZagRoughing::clearLevel(const Level& level,
 {
   const auto rows = rowSpans(level);
   const auto regions = rowRegions(level, rows);
-  const Air air{level};
+  const auto air = [&](const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+    return airBetween(level, a, b);
+  };
 
   std::vector<Chain> chains; // two of each region
   std::vector<TourItem> items;
@@ -86,35 +76,21 @@ std::vector<LevelPath> ZigZagRoughing::clearLevel(const Level& level,
     Chain& chain = chains[2 * stop.item + stop.way / 2];
     if (stop.way % 2)
       std::reverse(chain.begin(), chain.end());
-    within += airWithin(regions[stop.item], stop.way / 2, air);
+    within += airWithin(level, regions[stop.item], stop.way / 2);
     paths.push_back(pathAlong(level, chain));
   }
   figures.set("regions", static_cast<double>(regions.size()));
-  figures.set("air_before_mm", airRowByRow(rows, air));
+  figures.set("air_before_mm", airRowByRow(level, rows));
   figures.set("air_mm", within + tour.after);
   Material material(level, 1);
-  return joinPaths(level, material, std::move(paths), air.retract);
+  return joinPaths(level, material, std::move(paths));
 }
 
 std::vector<LevelPath> ZigZagRoughing::clearRest(const Level& level,
                                                  Material& material) const
 {
   Material before = material;
-  const auto rest = LevelRoughing::clearRest(level, material);
-  std::vector<TourItem> items;
-  for (const auto& path : rest) {
-    const Eigen::Vector2d in = path.points.front().at.head<2>();
-    const Eigen::Vector2d out = path.points.back().at.head<2>();
-    items.push_back({{in, out}, {out, in}});
-  }
-  std::vector<LevelPath> paths;
-  const Air air{level};
-  for (const TourStop& stop : shortTour(items, TourStart::Any, air).stops) {
-    paths.push_back(rest[stop.item]);
-    if (stop.way > 0)
-      std::reverse(paths.back().points.begin(), paths.back().points.end());
-  }
-  return joinPaths(level, before, std::move(paths), air.retract);
+  return shortRest(level, before, LevelRoughing::clearRest(level, material));
 }
 
 } // namespace pointmill

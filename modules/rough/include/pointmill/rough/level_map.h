@@ -57,6 +57,8 @@ public:
 
   const CellGrid& grid() const { return grid_; }
   const Tool& tool() const { return tool_; }
+  /// @brief The block that the stock is in.
+  const Stock& stock() const { return stock_; }
   /// @brief Radius of the tool's end, within which a pass clears its level; the cone of
   /// a tapered tool only brushes what stands higher beside it.
   double endRadius() const { return tool_.endDiameter() / 2; }
@@ -91,6 +93,7 @@ private:
   unsigned threads_;
   CellGrid grid_;
   Tool tool_;
+  Stock stock_;
   std::vector<float> lowest_, stock_top_, standing_;
 };
 
