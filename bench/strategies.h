@@ -2,6 +2,7 @@
 // Copyright (c) 2026, the PointMill authors
 #pragma once
 
+#include <pointmill/rough/grid_roughing.h>
 #include <pointmill/rough/offset_roughing.h>
 #include <pointmill/rough/spiral_roughing.h>
 #include <pointmill/rough/zigzag_roughing.h>
@@ -25,6 +26,7 @@ std::unique_ptr<pointmill::LevelRoughing> make()
 
 /// A new strategy needs its include and a line here.
 inline constexpr Strategy kStrategies[] = {
+    {"grid", "grid", make<pointmill::GridRoughing>},
     {"zigzag", "zig-zag", make<pointmill::ZigZagRoughing>},
     {"spiral", "spiral", make<pointmill::SpiralRoughing>},
     {"offset", "contour-parallel", make<pointmill::OffsetRoughing>},

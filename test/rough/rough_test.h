@@ -3,6 +3,7 @@
 #pragma once
 
 #include <pointmill/common/error.h>
+#include <pointmill/rough/grid_roughing.h>
 #include <pointmill/rough/offset_roughing.h>
 #include <pointmill/rough/spiral_roughing.h>
 #include <pointmill/rough/zigzag_roughing.h>
@@ -64,16 +65,29 @@ inline double distanceToSweep(const Tool& tool,
   return -tool.profile().depth((to - t * along).norm(), p.z() - a.z());
 }
 
-/// The least of it over all moves of the passes and all points.
-inline double
-clearance(const CLCloud& passes, const Tool& tool, const brute::Points& points)
+/// The least of it over all moves of the passes and all points; a move that is not
+/// level is taken as many short ones. `level`: there must be none of those.
+inline double clearance(const CLCloud& passes,
+                        const Tool& tool,
+                        const brute::Points& points,
+                        bool level)
 {
   double least = std::numeric_limits<double>::infinity();
-  forMovesOfPasses(passes, [&](const auto& a, const auto& b, const PointCL&) {
-    EXPECT_EQ(a.z(), b.z()) << "a pass of roughing leaves its level";
-    for (const auto& p : points)
-      if (p.z() > a.z() - 5)
-        least = std::min(least, distanceToSweep(tool, a, b, p));
+  forMovesOfPasses(passes, [&](const Eigen::Vector3d& a,
+                               const Eigen::Vector3d& b,
+                               const PointCL&) {
+    if (level) {
+      EXPECT_EQ(a.z(), b.z()) << "a pass of roughing leaves its level";
+    }
+    const int pieces = a.z() == b.z() ? 1 : 1 + static_cast<int>((b - a).norm() / 0.05);
+    for (int i = 0; i < pieces; ++i) {
+      const Eigen::Vector3d from = a + (b - a) * (double(i) / pieces);
+      Eigen::Vector3d to = a + (b - a) * (double(i + 1) / pieces);
+      to.z() = from.z();
+      for (const auto& p : points)
+        if (p.z() > from.z() - 5)
+          least = std::min(least, distanceToSweep(tool, from, to, p));
+    }
   });
   return least;
 }
@@ -96,11 +110,13 @@ inline double volumeRemoved(const StockField& field)
   return volume;
 }
 
-/// Fixture of what both strategies must do.
+/// Fixture of what all strategies must do.
 template <typename Strategy>
 class EveryRoughing : public ::testing::Test {
 protected:
   Strategy roughing;
+  /// Whether every pass stays on its level; the grid's climb.
+  static constexpr bool kLevel = !std::is_same<Strategy, GridRoughing>::value;
 
   void set(const Tool& tool, double allowance, double step_down, double step_over)
   {
@@ -116,9 +132,15 @@ protected:
     roughing.filter(passes);
     return passes;
   }
+  double
+  clearance(const CLCloud& passes, const Tool& tool, const brute::Points& points) const
+  {
+    return rough_test::clearance(passes, tool, points, kLevel);
+  }
 };
 
-using Strategies = ::testing::Types<ZigZagRoughing, SpiralRoughing, OffsetRoughing>;
+using Strategies = ::testing::
+    Types<ZigZagRoughing, SpiralRoughing, GridRoughing, OffsetRoughing>;
 
 struct StrategyNames {
   template <typename T>

@@ -38,7 +38,7 @@ TYPED_TEST(RoughingClearance, TheAllowanceIsLeftOverTheMapsCells)
     this->roughing.setStock(block({-4, -4, 40, 32}, -2, 10));
     const auto passes = this->run(mapOf(cloud, 0.5));
     ASSERT_GT(passes.size(), 200u);
-    EXPECT_GE(clearance(passes, tool, pointsOf(*cloud)), 0.4 - 1e-3) << seed;
+    EXPECT_GE(this->clearance(passes, tool, pointsOf(*cloud)), 0.4 - 1e-3) << seed;
   }
 }
 
@@ -55,7 +55,7 @@ TYPED_TEST(RoughingClearance, TheAllowanceIsLeftOnThePartsPoints)
     this->roughing.setStock(block({-4, -4, 40, 32}, -2, 10));
     const auto passes = this->run(mapOf(cloud, 0.5));
     ASSERT_GT(passes.size(), 200u);
-    const double least = clearance(passes, tool, pointsOf(*cloud));
+    const double least = this->clearance(passes, tool, pointsOf(*cloud));
     EXPECT_GE(least, 0.4 - 1e-3) << tool.describe();
     EXPECT_LE(least, 0.45) << tool.describe() << ": nowhere near the part";
   }
@@ -73,7 +73,7 @@ TYPED_TEST(RoughingClearance, CoarseCellsNeverGougeThePart)
       this->roughing.setStock(block({-4, -4, 40, 32}, -2, 10));
       const auto passes = this->run(mapOf(cloud, 2.0));
       ASSERT_GT(passes.size(), 50u);
-      EXPECT_GE(clearance(passes, tool, pointsOf(*cloud)), -1e-3)
+      EXPECT_GE(this->clearance(passes, tool, pointsOf(*cloud)), -1e-3)
           << tool.describe() << exact;
     }
 }
@@ -91,7 +91,7 @@ TYPED_TEST(RoughingClearance, AThinPinIsGoneRound)
   for (const bool exact : {false, true}) {
     this->roughing.setPart(exact ? indexOf(*cloud) : nullptr);
     const auto passes = this->run(mapOf(cloud, 0.5));
-    EXPECT_GE(clearance(passes, tool, pointsOf(*cloud)), 0.2 - 1e-3);
+    EXPECT_GE(this->clearance(passes, tool, pointsOf(*cloud)), 0.2 - 1e-3);
     const auto left = simulate(passes, tool, stock->stock(), 0.25);
     forCells(left, [&](double x, double y, double h) {
       const double d = std::hypot(x - 10.1, y - 9.9);

@@ -2,6 +2,7 @@
 // Copyright (c) 2026, the PointMill authors
 // What the roughing operations cut, from the big tool to the skins on the walls.
 #include <pointmill/mill/mill_job.h>
+#include <pointmill/rough/grid_roughing.h>
 #include <pointmill/rough/offset_roughing.h>
 #include <pointmill/rough/spiral_roughing.h>
 #include <pointmill/rough/waterline_roughing.h>
@@ -26,6 +27,8 @@ constexpr double kLeadRadius = 0.1;
 std::unique_ptr<LevelRoughing> strategyOf(RoughingStrategy strategy)
 {
   switch (strategy) {
+  case RoughingStrategy::Grid:
+    return std::make_unique<GridRoughing>();
   case RoughingStrategy::Spiral:
     return std::make_unique<SpiralRoughing>();
   case RoughingStrategy::Offset:

@@ -65,7 +65,7 @@ LevelMap::LevelMap(const CellCloud& map,
                    const StockField& stock,
                    const Clearing& clearing,
                    unsigned threads)
-    : threads_(threads), tool_(clearing.tool), part_(part),
+    : threads_(threads), tool_(clearing.tool), stock_(stock.stock()), part_(part),
       keep_out_(clearing.keep_out), allowance_(clearing.allowance)
 {
   const CellGrid cells = CellGrid::of(map);

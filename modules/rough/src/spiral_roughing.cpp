@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the PointMill authors
 #include "border.h"
+#include "stay_down.h"
 #include "stretches.h"
 
 #include <pointmill/rough/spiral_roughing.h>
@@ -94,28 +95,6 @@ void keepNeeded(const Level& level,
       });
 }
 
-/// Joins two chains whose ends the tool can get between on the level, along X, then Y.
-bool join(const Level& level, Chain& chain, const Chain& next, int most)
-{
-  Node at = chain.back();
-  const Node to = next.front();
-  if (std::abs(at.column - to.column) + std::abs(at.row - to.row) > most)
-    return false;
-  Chain way;
-  while (at != to) {
-    if (at.column != to.column)
-      at.column += at.column < to.column ? 1 : -1;
-    else
-      at.row += at.row < to.row ? 1 : -1;
-    if (!level.isFree(at))
-      return false;
-    way.push_back(at);
-  }
-  chain.insert(chain.end(), way.begin(), way.end());
-  chain.insert(chain.end(), next.begin(), next.end());
-  return true;
-}
-
 } // namespace
 
 std::vector<LevelPath> SpiralRoughing::clearLevel(const Level& level, Report&) const
@@ -135,14 +114,18 @@ std::vector<LevelPath> SpiralRoughing::clearLevel(const Level& level, Report&) c
     low = low + in;
     high = high + Node{-in.column, -in.row};
   }
-  std::vector<Chain> chains;
-  for (auto& piece : pieces)
-    if (chains.empty() || !join(level, chains.back(), piece, 4 * step))
-      chains.push_back(std::move(piece));
   std::vector<LevelPath> paths;
-  for (const auto& chain : chains)
-    paths.push_back(pathAlong(level, chain));
-  return paths;
+  for (const auto& piece : pieces)
+    paths.push_back(pathAlong(level, piece));
+  Material material(level, 1);
+  return joinPaths(level, material, std::move(paths));
+}
+
+std::vector<LevelPath> SpiralRoughing::clearRest(const Level& level,
+                                                 Material& material) const
+{
+  Material before = material;
+  return shortRest(level, before, LevelRoughing::clearRest(level, material));
 }
 
 } // namespace pointmill

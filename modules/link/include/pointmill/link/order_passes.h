@@ -7,10 +7,8 @@
 namespace pointmill {
 
 /// @brief Puts passes (`label`) that may be cut in any order and direction, as those of
-/// a zig-zag raster, into an order with little air between them: first from the end of
-/// each to the nearest end of those that are left, then by turning stretches of this
-/// sequence round wherever that shortens it (2-opt). Passes are renumbered; the first
-/// one stays first.
+/// a zig-zag raster, into an order with little air between them, see shortTour().
+/// Passes are renumbered; the first one stays first.
 ///
 /// Report: "air_before_mm" and "air_after_mm", the XY distances between consecutive
 /// passes.

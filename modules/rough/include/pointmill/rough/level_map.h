@@ -62,6 +62,8 @@ public:
 
   const CellGrid& grid() const { return grid_; }
   const Tool& tool() const { return tool_; }
+  /// @brief The block that the stock is in.
+  const Stock& stock() const { return stock_; }
   /// @brief Radius of the tool's end, within which a pass clears its level; the cone of
   /// a tapered tool only brushes what stands higher beside it.
   double endRadius() const { return tool_.endDiameter() / 2; }
@@ -108,6 +110,7 @@ private:
   unsigned threads_;
   CellGrid grid_;
   Tool tool_;
+  Stock stock_;
   const PointIndex* part_;
   KeepOut keep_out_;
   double allowance_, wider_; // wider_: see above

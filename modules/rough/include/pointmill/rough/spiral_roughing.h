@@ -14,6 +14,8 @@ public:
 
 protected:
   std::vector<LevelPath> clearLevel(const Level& level, Report& figures) const override;
+  std::vector<LevelPath> clearRest(const Level& level,
+                                   Material& material) const override;
 };
 
 } // namespace pointmill
