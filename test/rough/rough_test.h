@@ -73,22 +73,22 @@ inline double clearance(const CLCloud& passes,
                         bool level)
 {
   double least = std::numeric_limits<double>::infinity();
-  forMovesOfPasses(passes, [&](const Eigen::Vector3d& a,
-                               const Eigen::Vector3d& b,
-                               const PointCL&) {
-    if (level) {
-      EXPECT_EQ(a.z(), b.z()) << "a pass of roughing leaves its level";
-    }
-    const int pieces = a.z() == b.z() ? 1 : 1 + static_cast<int>((b - a).norm() / 0.05);
-    for (int i = 0; i < pieces; ++i) {
-      const Eigen::Vector3d from = a + (b - a) * (double(i) / pieces);
-      Eigen::Vector3d to = a + (b - a) * (double(i + 1) / pieces);
-      to.z() = from.z();
-      for (const auto& p : points)
-        if (p.z() > from.z() - 5)
-          least = std::min(least, distanceToSweep(tool, from, to, p));
-    }
-  });
+  forMovesOfPasses(
+      passes, [&](const Eigen::Vector3d& a, const Eigen::Vector3d& b, const PointCL&) {
+        if (level) {
+          EXPECT_EQ(a.z(), b.z()) << "a pass of roughing leaves its level";
+        }
+        const int pieces =
+            a.z() == b.z() ? 1 : 1 + static_cast<int>((b - a).norm() / 0.05);
+        for (int i = 0; i < pieces; ++i) {
+          const Eigen::Vector3d from = a + (b - a) * (double(i) / pieces);
+          Eigen::Vector3d to = a + (b - a) * (double(i + 1) / pieces);
+          to.z() = from.z();
+          for (const auto& p : points)
+            if (p.z() > from.z() - 5)
+              least = std::min(least, distanceToSweep(tool, from, to, p));
+        }
+      });
   return least;
 }
 

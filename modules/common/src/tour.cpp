@@ -75,7 +75,8 @@ struct Ways {
   {
     if (table_.empty())
       return cost(places[place], places[other]);
-    double& known = table_[std::min(place, other) * places.size() + std::max(place, other)];
+    double& known =
+        table_[std::min(place, other) * places.size() + std::max(place, other)];
     if (known < 0)
       known = cost(places[place], places[other]);
     return known;

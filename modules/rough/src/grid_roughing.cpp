@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the PointMill authors
+#include "stay_down.h"
 #include "stretches.h"
 
 #include <pointmill/common/error.h>
@@ -48,7 +49,8 @@ public:
     const LevelMap& map = level_.map();
     const CellGrid& grid = map.grid();
     const int last = grid.columnOf(at(move + 1).x());
-    for (int row = grid.rowOf(y_ - grid.cell / 2); row <= grid.rowOf(y_ + grid.cell / 2);
+    for (int row = grid.rowOf(y_ - grid.cell / 2);
+         row <= grid.rowOf(y_ + grid.cell / 2);
          ++row)
       for (int column = grid.columnOf(at(move).x()); column <= last; ++column)
         if (map.has({column, row}) &&
@@ -106,7 +108,8 @@ void GridRoughing::checkParameters() const
 {
   LevelRoughing::checkParameters();
   if (!(cellSize() > 0.1 * getTool().endDiameter()))
-    throw ParameterError("GridRoughing: half the allowance is as wide as the tool's end");
+    throw ParameterError(
+        "GridRoughing: half the allowance is as wide as the tool's end");
 }
 
 std::vector<LevelPath> GridRoughing::clearLevel(const Level& level, Report&) const
@@ -117,8 +120,7 @@ std::vector<LevelPath> GridRoughing::clearLevel(const Level& level, Report&) con
                            ? getStepDown()
                            : ZSlices::pitchForDiameter(getTool().endDiameter());
   const Stock& stock = level.map().stock();
-  std::vector<double> x =
-      places(stock.min.x() - aside, cell, stock.max.x() - radius);
+  std::vector<double> x = places(stock.min.x() - aside, cell, stock.max.x() - radius);
   x.insert(x.begin(), stock.min.x() - radius);
   x.push_back(stock.max.x() + radius);
 
@@ -148,6 +150,13 @@ std::vector<LevelPath> GridRoughing::clearLevel(const Level& level, Report&) con
       back = !back;
   }
   return paths;
+}
+
+std::vector<LevelPath> GridRoughing::clearRest(const Level& level,
+                                               Material& material) const
+{
+  Material before = material;
+  return shortRest(level, before, LevelRoughing::clearRest(level, material));
 }
 
 } // namespace pointmill

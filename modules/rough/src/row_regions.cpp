@@ -114,7 +114,8 @@ std::vector<RowRegion> rowRegions(const Level& level,
   return regions;
 }
 
-Chain across(const Level& level, const RowSpan& from, Node at, const RowSpan& to, Node end)
+Chain across(
+    const Level& level, const RowSpan& from, Node at, const RowSpan& to, Node end)
 {
   if (level.isFree(level.map().at(at), level.map().at(end)) &&
       std::abs(at.column - end.column) <= level.stride())
@@ -137,8 +138,8 @@ Chain zigzag(const Level& level, const RowRegion& region, bool right)
   Chain chain{region.front().end(right), region.front().end(!right)};
   for (std::size_t i = 1; i < region.size(); ++i) {
     right = !right;
-    const Chain way = across(
-        level, region[i - 1], chain.back(), region[i], region[i].end(right));
+    const Chain way =
+        across(level, region[i - 1], chain.back(), region[i], region[i].end(right));
     chain.insert(chain.end(), way.begin() + 1, way.end());
     chain.push_back(region[i].end(!right));
   }

@@ -31,7 +31,8 @@ std::vector<RowRegion> rowRegions(const Level& level,
 
 /// @brief The way across from the end of one span to an end of the other, by the column
 /// that is nearest; empty where there is none.
-Chain across(const Level& level, const RowSpan& from, Node at, const RowSpan& to, Node end);
+Chain across(
+    const Level& level, const RowSpan& from, Node at, const RowSpan& to, Node end);
 
 /// @brief The zig-zag through a region that begins with its first row, at the left or
 /// the right end.

@@ -30,7 +30,8 @@ public:
     std::priority_queue<Open, std::vector<Open>, std::greater<Open>> open;
     ++search_;
     const auto node = [&](std::size_t i) {
-      return Node{static_cast<int>(i) % grid.columns, static_cast<int>(i) / grid.columns};
+      return Node{static_cast<int>(i) % grid.columns,
+                  static_cast<int>(i) / grid.columns};
     };
     const std::size_t goal = level_.map().index(to);
     const std::size_t start = level_.map().index(from);
@@ -106,9 +107,8 @@ Node nodeAt(const Level& level, const PathPoint& p)
 
 } // namespace
 
-std::vector<LevelPath> joinPaths(const Level& level,
-                                 Material& material,
-                                 std::vector<LevelPath> paths)
+std::vector<LevelPath>
+joinPaths(const Level& level, Material& material, std::vector<LevelPath> paths)
 {
   std::vector<LevelPath> joined;
   Ways ways(level, material);
@@ -139,7 +139,8 @@ double retractCost(const Level& level)
   return 6 * level.map().tool().diameter;
 }
 
-double airBetween(const Level& level, const Eigen::Vector2d& a, const Eigen::Vector2d& b)
+double
+airBetween(const Level& level, const Eigen::Vector2d& a, const Eigen::Vector2d& b)
 {
   return (a - b).norm() + (level.isFree(a, b) ? 0 : retractCost(level));
 }

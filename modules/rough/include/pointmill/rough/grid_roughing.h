@@ -26,6 +26,8 @@ public:
 protected:
   void checkParameters() const override;
   std::vector<LevelPath> clearLevel(const Level& level, Report& figures) const override;
+  std::vector<LevelPath> clearRest(const Level& level,
+                                   Material& material) const override;
 };
 
 } // namespace pointmill
