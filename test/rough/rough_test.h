@@ -139,8 +139,8 @@ protected:
   }
 };
 
-using Strategies = ::testing::
-    Types<ZigZagRoughing, SpiralRoughing, GridRoughing, OffsetRoughing>;
+using Strategies =
+    ::testing::Types<ZigZagRoughing, SpiralRoughing, GridRoughing, OffsetRoughing>;
 
 struct StrategyNames {
   template <typename T>

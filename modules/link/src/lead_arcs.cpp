@@ -32,17 +32,19 @@ Way beginning(const Way& way, double length)
 
 } // namespace
 
-double LeadArcs::section(const Way& way) const
+LeadArcs::Load LeadArcs::loadOf(const Way& way) const
 {
   double length = 0;
   for (std::size_t i = 1; i < way.size(); ++i)
     length += (way[i] - way[i - 1]).norm();
-  return length > 0 ? around_.volumeOf(way) / length : 0.0;
+  const Cut cut = around_.cutOf(way);
+  return {length > 0 ? cut.volume / length : 0.0, cut.depth};
 }
 
-Way LeadArcs::best(const Way& onwards, double most, bool open) const
+Way LeadArcs::best(const Way& onwards, const Load& most, bool open) const
 {
   Way found;
+  double least = most.section;
   for (const int turn : {1, -1}) {
     const TangentCircle circle(onwards.front(), directionOf(onwards), radius_, turn);
     Way arc;
@@ -50,10 +52,11 @@ Way LeadArcs::best(const Way& onwards, double most, bool open) const
       arc.push_back(circle.before(i));
     if ((open && !around_.isOpen(arc.front())) || !around_.isClear(arc))
       continue;
-    const double takes = section(arc);
-    if (takes <= most && (found.empty() || takes < most)) {
+    const Load takes = loadOf(arc);
+    if (takes.depth <= most.depth && takes.section <= least &&
+        (found.empty() || takes.section < least)) {
       found = arc;
-      most = takes;
+      least = takes.section;
     }
   }
   return found;
@@ -65,7 +68,10 @@ Way LeadArcs::into(const Way& pass) const
   if (radius_ <= 0 || first.empty())
     return {};
   const double d = around_.tool.endDiameter();
-  return best(first, std::max(kSkin * d * d, section(first)), true);
+  // No thicker layer, be it a skin that stands beside the pass.
+  const Load load = loadOf(first);
+  return best(
+      first, {std::max(kSkin * d * d, load.section), load.depth + kNothing}, true);
 }
 
 Way LeadArcs::outOf(const Way& pass) const
@@ -74,7 +80,7 @@ Way LeadArcs::outOf(const Way& pass) const
   if (radius_ <= 0 || back.empty())
     return {};
   const double d = around_.tool.endDiameter();
-  Way arc = best(back, kSkin * d * d, false);
+  Way arc = best(back, {kSkin * d * d, kSkinHeight * d}, false);
   std::reverse(arc.begin(), arc.end());
   return arc;
 }

@@ -26,9 +26,12 @@ public:
 
 private:
   using Way = std::vector<Eigen::Vector3d>;
-  /// The arc that takes least, of those that take no more than @p most [mm3 / mm].
-  Way best(const Way& onwards, double most, bool open) const;
-  double section(const Way& way) const;
+  struct Load {
+    double section, depth; // [mm2], [mm]
+  };
+  /// The arc that takes least, of those that take no more than @p most.
+  Way best(const Way& onwards, const Load& most, bool open) const;
+  Load loadOf(const Way& way) const;
 
   const Surroundings& around_;
   double radius_;

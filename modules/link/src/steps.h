@@ -18,6 +18,8 @@ constexpr double kMostSection = 0.1, kSlowest = 0.1;
 /// What a move that is not planned as a cut may take as cross-section, as a share of
 /// the end's diameter squared: a skin.
 constexpr double kSkin = 0.01;
+/// ... and so high, in diameters.
+constexpr double kSkinHeight = 0.25;
 
 /// One move of a path: where to, and how.
 struct Step {

@@ -71,10 +71,10 @@ double Surroundings::highestInBox(const Vector3d& a, const Vector3d& b) const
   return std::max(top, keep_out.highestTop(low, high, tool.radius()));
 }
 
-double Surroundings::volumeOf(const std::vector<Vector3d>& way) const
+Cut Surroundings::cutOf(const std::vector<Vector3d>& way) const
 {
   const StockField* field = nominal ? nominal : stock;
-  return field ? field->probe(tool, way).volume : 0.0;
+  return field ? field->probe(tool, way) : Cut();
 }
 
 bool Surroundings::isOpen(const Vector3d& at) const

@@ -33,8 +33,8 @@ struct Surroundings {
   /// any speeds, may meet between two places: the highest stock, part or zone
   /// within the cutter's radius of the box that they span.
   double highestInBox(const Eigen::Vector3d& a, const Eigen::Vector3d& b) const;
-  /// @brief Volume that a way would take from the stock [mm3].
-  double volumeOf(const std::vector<Eigen::Vector3d>& way) const;
+  /// @brief Depth and volume that a way would take from the stock.
+  Cut cutOf(const std::vector<Eigen::Vector3d>& way) const;
   /// @brief Whether nothing stands above @p at under the whole cutter.
   bool isOpen(const Eigen::Vector3d& at) const;
 };

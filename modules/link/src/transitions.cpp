@@ -101,7 +101,7 @@ double Transitions::stayHeight(const Vector3d& from, const Vector3d& start) cons
     return around_.clearance;
   const Vector3d a(from.x(), from.y(), z), b(start.x(), start.y(), z);
   const double length = (b - a).norm();
-  if (around_.volumeOf({a, b}) > kMostSection * d * d * std::max(length, d / 4))
+  if (around_.cutOf({a, b}).volume > kMostSection * d * d * std::max(length, d / 4))
     return around_.clearance;
   return std::min(z, around_.clearance);
 }

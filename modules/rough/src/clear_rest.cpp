@@ -11,7 +11,7 @@
 namespace pointmill {
 namespace {
 
-constexpr int kMostRounds = 3;
+constexpr int kMostRounds = 4;
 
 /// The stretches of a chain from where there is something to cut, with a node more at
 /// each end, so that none is a mere point.
@@ -67,9 +67,9 @@ std::vector<LevelPath> LevelRoughing::clearRest(const Level& level,
     return level.isNeeded(n) && cuts[level.map().index(n)];
   };
   for (int round = 0; round < kMostRounds && material.left() > 0; ++round) {
-    const int stride = round == 0 ? level.stride() : 1;
     cuts = material.nodesToCut();
-    const auto chains = round == 0 ? borderLoops(level) : freeRows(level, stride);
+    const auto chains = round == 0 ? borderLoops(level)
+                                   : freeRows(level, round == 1 ? level.stride() : 1);
     for (const auto& chain : chains) {
       const std::size_t before = material.left();
       addStretches(level, chain, level.stride(), needed, material, paths);

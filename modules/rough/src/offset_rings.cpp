@@ -77,6 +77,50 @@ int labelBeside(const CellGrid& grid,
   return -1;
 }
 
+/// Leaves only those lines, and stretches of lines, that cut what no other does.
+void keepNeeded(const Level& level,
+                bool walls,
+                double step,
+                std::vector<OffsetArea>& areas)
+{
+  const CellGrid& grid = level.map().grid();
+  const Material material(level);
+  const double certain = material.certainRadius();
+  // An area needs no lines that those round it clear to its middle.
+  std::vector<unsigned char> to_middle(areas.size(), 0);
+  std::vector<unsigned char> has_children(areas.size(), 0);
+  for (std::size_t i = areas.size(); i-- > 0;) {
+    OffsetArea& area = areas[i];
+    if (area.parent < 0)
+      continue;
+    if (!has_children[i] && area.deepest <= area.distance - step + certain) {
+      area.lines.clear();
+      to_middle[area.parent] = 1;
+    }
+    else
+      has_children[area.parent] = 1;
+  }
+  // Nor does a line care for what the next one, nearer to the walls, is to cut.
+  const auto all = level.neededNodes(), wide = material.nodesToCut(),
+             near = material.nodesToCut(std::min(step, certain));
+  for (std::size_t i = 0; i < areas.size(); ++i) {
+    const bool wall = walls && areas[i].parent < 0;
+    std::vector<IsoLine> kept;
+    for (const auto& line : areas[i].lines)
+      for (auto& stretch : neededStretches(grid,
+                                           wall           ? all
+                                           : to_middle[i] ? wide
+                                                          : near,
+                                           line,
+                                           level.stepOver())) {
+        if (!walls) // what is left to cut lies within
+          std::reverse(stretch.points.begin(), stretch.points.end());
+        kept.push_back(std::move(stretch));
+      }
+    areas[i].lines = std::move(kept);
+  }
+}
+
 } // namespace
 
 bool hasWalls(const Level& level)
@@ -100,14 +144,9 @@ std::vector<OffsetArea> offsetAreas(const Level& level, bool walls)
         deepest = std::max<double>(deepest, depth[grid.index(column, row)]);
 
   const double step = std::max(level.stepOver(), kNearest * grid.cell);
-  const Material material(level);
-  const double certain = material.certainRadius();
-  // A line need not care for what the next one, nearer to the walls, is to cut.
-  const auto at_walls = level.neededNodes();
-  const auto needed = material.nodesToCut(std::min(step, certain));
+  const auto needed = level.neededNodes();
   std::vector<OffsetArea> areas;
-  std::vector<double> inner; // what of each area is needed lies no deeper
-  std::vector<int> above;    // labels of the last distance
+  std::vector<int> above; // labels of the last distance
   std::vector<unsigned char> inside(grid.size());
   for (int k = 0; k * step <= deepest; ++k) {
     const double least = k > 0 ? k * step : 1e-6;
@@ -117,14 +156,15 @@ std::vector<OffsetArea> offsetAreas(const Level& level, bool walls)
     const int first = next;
     const auto labels = label(grid, inside, next);
     areas.resize(static_cast<std::size_t>(next));
-    inner.resize(areas.size(), 0.0);
     for (std::size_t i = 0; i < labels.size(); ++i) {
       if (labels[i] < first)
         continue;
+      OffsetArea& area = areas[labels[i]];
+      area.distance = k * step;
       if (k > 0)
-        areas[labels[i]].parent = above[i];
+        area.parent = above[i];
       if (needed[i])
-        inner[labels[i]] = std::max<double>(inner[labels[i]], depth[i]);
+        area.deepest = std::max<double>(area.deepest, depth[i]);
     }
     const bool wall = k == 0 && walls;
     const auto lines =
@@ -139,23 +179,13 @@ std::vector<OffsetArea> offsetAreas(const Level& level, bool walls)
                });
     for (const auto& line : lines) {
       const int area = labelBeside(grid, labels, line);
-      if (area < 0)
-        continue;
-      // Nor does an area need lines that those round it clear to its middle.
-      if (k > 0 && inner[area] <= least - step + certain)
-        continue;
-      for (auto& stretch :
-           neededStretches(grid,
-                           wall ? at_walls : needed,
-                           wall ? line : straightened(level, line, grid.cell / 8),
-                           level.stepOver())) {
-        if (!walls) // what is left to cut lies within
-          std::reverse(stretch.points.begin(), stretch.points.end());
-        areas[area].lines.push_back(std::move(stretch));
-      }
+      if (area >= 0)
+        areas[area].lines.push_back(wall ? line
+                                         : straightened(level, line, grid.cell / 8));
     }
     above = labels;
   }
+  keepNeeded(level, walls, step, areas);
   return areas;
 }
 

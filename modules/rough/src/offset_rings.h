@@ -12,6 +12,8 @@ namespace pointmill {
 /// the piece nearer to the walls that it is part of.
 struct OffsetArea {
   int parent = -1;
+  double distance = 0;        ///< of its border from the walls [mm]
+  double deepest = 0;         ///< of what is needed in it, from the walls [mm]
   std::vector<IsoLine> lines; ///< what is needed of them
 };
 
