@@ -3,6 +3,7 @@
 #include "stay_down.h"
 
 #include <pointmill/common/tour.h>
+#include <pointmill/slice/distance_field.h>
 
 #include <algorithm>
 #include <cmath>
@@ -12,12 +13,20 @@
 namespace pointmill {
 namespace {
 
-/// Ways of the tool over nodes of a level that are free and clear of material.
+/// Ways of the tool over nodes of a level that are free and clear of material, and near
+/// what is needed: none leads from one of the map's regions, which are finished from top
+/// to bottom each, into another.
 class Ways {
 public:
   Ways(const Level& level, const Material& material)
       : level_(level), material_(material), seen_(level.map().grid().size())
   {
+    const CellGrid& grid = level.map().grid();
+    std::vector<unsigned char> needed(grid.size());
+    for (int row = 0; row < grid.rows; ++row)
+      for (int column = 0; column < grid.columns; ++column)
+        needed[grid.index(column, row)] = level.isNeeded({column, row});
+    to_needed_ = distanceField(needed, grid.columns, grid.rows);
   }
 
   /// The shortest way over neighbouring nodes (A*), empty if it is longer than `most`.
@@ -74,7 +83,8 @@ public:
 private:
   bool isClear(Node n) const
   {
-    return level_.isFree(n) && material_.at(level_.map().at(n)) == Material::Air;
+    return level_.isFree(n) && to_needed_[level_.map().index(n)] <= reach_ &&
+           material_.at(level_.map().at(n)) == Material::Air;
   }
   /// Between nodes the tool is safe in squares whose corners are all free.
   bool mayStep(Node at, int dc, int dr) const
@@ -95,6 +105,8 @@ private:
 
   const Level& level_;
   const Material& material_;
+  double reach_ = level_.map().tool().radius() / level_.map().grid().cell; // [nodes]
+  std::vector<float> to_needed_;                                          // [nodes]
   std::vector<Seen> seen_; // by node
   int search_ = 0;
 };
