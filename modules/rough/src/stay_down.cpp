@@ -3,7 +3,6 @@
 #include "stay_down.h"
 
 #include <pointmill/common/tour.h>
-#include <pointmill/slice/distance_field.h>
 
 #include <algorithm>
 #include <cmath>
@@ -13,27 +12,22 @@
 namespace pointmill {
 namespace {
 
-/// Ways of the tool over nodes of a level that are free and clear of material, and near
-/// what is needed: none leads from one of the map's regions, which are finished from top
-/// to bottom each, into another.
+/// Ways of the tool over nodes of a level that are free and clear of material. None
+/// leads from one of the map's regions, each of which is finished from top to bottom,
+/// into another.
 class Ways {
 public:
   Ways(const Level& level, const Material& material)
       : level_(level), material_(material), seen_(level.map().grid().size())
   {
-    const CellGrid& grid = level.map().grid();
-    std::vector<unsigned char> needed(grid.size());
-    for (int row = 0; row < grid.rows; ++row)
-      for (int column = 0; column < grid.columns; ++column)
-        needed[grid.index(column, row)] = level.isNeeded({column, row});
-    to_needed_ = distanceField(needed, grid.columns, grid.rows);
   }
 
   /// The shortest way over neighbouring nodes (A*), empty if it is longer than `most`.
   Chain find(Node from, Node to, double most)
   {
     const CellGrid& grid = level_.map().grid();
-    if (estimate(from, to) * grid.cell > most)
+    region_ = level_.region(from);
+    if (estimate(from, to) * grid.cell > most || level_.region(to) != region_)
       return {};
     using Open = std::pair<double, std::size_t>;
     std::priority_queue<Open, std::vector<Open>, std::greater<Open>> open;
@@ -83,7 +77,7 @@ public:
 private:
   bool isClear(Node n) const
   {
-    return level_.isFree(n) && to_needed_[level_.map().index(n)] <= reach_ &&
+    return level_.isFree(n) && (level_.region(n) == region_ || level_.region(n) == 0) &&
            material_.at(level_.map().at(n)) == Material::Air;
   }
   /// Between nodes the tool is safe in squares whose corners are all free.
@@ -105,10 +99,9 @@ private:
 
   const Level& level_;
   const Material& material_;
-  double reach_ = level_.map().tool().radius() / level_.map().grid().cell; // [nodes]
-  std::vector<float> to_needed_;                                          // [nodes]
   std::vector<Seen> seen_; // by node
   int search_ = 0;
+  int region_ = 0; // that the search starts in
 };
 
 Node nodeAt(const Level& level, const PathPoint& p)
