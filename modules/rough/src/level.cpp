@@ -11,8 +11,13 @@ namespace {
 constexpr double kLittle = 1e-3; // stock that stands no higher is none [mm]
 }
 
-Level::Level(const LevelMap& map, double z, double step_over, double below)
-    : map_(&map), z_(z), step_over_(step_over), state_(map.grid().size(), 0)
+Level::Level(const LevelMap& map,
+             double z,
+             double step_over,
+             double below,
+             const std::vector<int>* regions)
+    : map_(&map), regions_(regions), z_(z), step_over_(step_over),
+      state_(map.grid().size(), 0)
 {
   const CellGrid& grid = map.grid();
   for (int row = 0; row < grid.rows; ++row)

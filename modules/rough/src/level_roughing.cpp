@@ -89,8 +89,9 @@ void LevelRoughing::apply(CLCloud& output)
     std::size_t left = 0;
   };
   std::vector<Work> work(planes.size());
+  const auto regions = map.regions(planes.back().z);
   parallelFor(planes.size(), threads_, [&](std::size_t k) {
-    const Level level(map, planes[k].z, step_over_, planes[k].below);
+    const Level level(map, planes[k].z, step_over_, planes[k].below, &regions);
     if (level.isEmpty())
       return;
     work[k].paths = clearLevel(level, work[k].figures);
@@ -116,7 +117,7 @@ void LevelRoughing::apply(CLCloud& output)
   }
   std::uint32_t label = 0;
   Eigen::Vector3d at;
-  for (const std::size_t i : byRegion(map, planes.back().z, passes)) {
+  for (const std::size_t i : byRegion(map, regions, passes)) {
     RoughPass& pass = passes[i];
     auto& points = pass.path.points;
     if (label > 0 && pass.path.reversible &&

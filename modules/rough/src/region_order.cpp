@@ -29,11 +29,12 @@ void forNodes(const LevelMap& map, const LevelPath& path, Visit&& visit)
 
 } // namespace
 
-std::vector<std::size_t>
-byRegion(const LevelMap& map, double floor, const std::vector<RoughPass>& passes)
+std::vector<std::size_t> byRegion(const LevelMap& map,
+                                  const std::vector<int>& regions,
+                                  const std::vector<RoughPass>& passes)
 {
-  const auto regions = map.regions(floor);
-  // A pass that crosses from one region into another makes them one.
+  // A pass that crosses from one region into another makes them one; by the air
+  // between, 0, it does not.
   std::vector<int> joined(*std::max_element(regions.begin(), regions.end()) + 1);
   std::iota(joined.begin(), joined.end(), 0);
   const auto find = [&](int r) {
@@ -46,11 +47,13 @@ byRegion(const LevelMap& map, double floor, const std::vector<RoughPass>& passes
     int mine = -1;
     forNodes(map, pass.path, [&](std::size_t node) {
       const int r = find(regions[node]);
+      if (r == 0)
+        return;
       if (mine < 0)
         mine = r;
       joined[std::max(find(mine), r)] = std::min(find(mine), r);
     });
-    region.push_back(mine);
+    region.push_back(std::max(mine, 0));
   }
   std::vector<std::size_t> order(passes.size());
   std::iota(order.begin(), order.end(), 0);

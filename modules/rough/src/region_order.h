@@ -16,7 +16,9 @@ struct RoughPass {
 
 /// @brief The order in which regions that have no stock in common are each finished
 /// from top to bottom, so that the tool stays where it is.
-std::vector<std::size_t>
-byRegion(const LevelMap& map, double floor, const std::vector<RoughPass>& passes);
+/// @param regions the map's
+std::vector<std::size_t> byRegion(const LevelMap& map,
+                                  const std::vector<int>& regions,
+                                  const std::vector<RoughPass>& passes);
 
 } // namespace pointmill

@@ -133,14 +133,21 @@ Chain across(
   return {at, {best, from.row}, {best, to.row}, end};
 }
 
-Chain zigzag(const Level& level, const RowRegion& region, bool right)
+Chain zigzag(const Level& level, const RowRegion& region, bool right, double& between)
 {
   Chain chain{region.front().end(right), region.front().end(!right)};
+  between = 0;
   for (std::size_t i = 1; i < region.size(); ++i) {
-    right = !right;
-    const Chain way =
-        across(level, region[i - 1], chain.back(), region[i], region[i].end(right));
-    chain.insert(chain.end(), way.begin() + 1, way.end());
+    const Node at = chain.back();
+    // The end that is nearer: of a row that is much longer it may be the other one.
+    const int to_left = std::abs(at.column - region[i].first);
+    const int to_right = std::abs(at.column - region[i].last);
+    right = to_left == to_right ? !right : to_right < to_left;
+    const Chain way = across(level, region[i - 1], at, region[i], region[i].end(right));
+    for (std::size_t k = 1; k < way.size(); ++k) {
+      between += (level.map().at(way[k]) - level.map().at(way[k - 1])).norm();
+      chain.push_back(way[k]);
+    }
     chain.push_back(region[i].end(!right));
   }
   return chain;

@@ -36,6 +36,7 @@ Chain across(
 
 /// @brief The zig-zag through a region that begins with its first row, at the left or
 /// the right end.
-Chain zigzag(const Level& level, const RowRegion& region, bool right);
+/// @param between set to the length of the ways between its rows [mm]
+Chain zigzag(const Level& level, const RowRegion& region, bool right, double& between);
 
 } // namespace pointmill

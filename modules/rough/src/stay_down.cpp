@@ -12,7 +12,9 @@
 namespace pointmill {
 namespace {
 
-/// Ways of the tool over nodes of a level that are free and clear of material.
+/// Ways of the tool over nodes of a level that are free and clear of material. None
+/// leads from one of the map's regions, each of which is finished from top to bottom,
+/// into another.
 class Ways {
 public:
   Ways(const Level& level, const Material& material)
@@ -24,7 +26,8 @@ public:
   Chain find(Node from, Node to, double most)
   {
     const CellGrid& grid = level_.map().grid();
-    if (estimate(from, to) * grid.cell > most)
+    region_ = level_.region(from);
+    if (estimate(from, to) * grid.cell > most || level_.region(to) != region_)
       return {};
     using Open = std::pair<double, std::size_t>;
     std::priority_queue<Open, std::vector<Open>, std::greater<Open>> open;
@@ -74,7 +77,8 @@ public:
 private:
   bool isClear(Node n) const
   {
-    return level_.isFree(n) && material_.at(level_.map().at(n)) == Material::Air;
+    return level_.isFree(n) && (level_.region(n) == region_ || level_.region(n) == 0) &&
+           material_.at(level_.map().at(n)) == Material::Air;
   }
   /// Between nodes the tool is safe in squares whose corners are all free.
   bool mayStep(Node at, int dc, int dr) const
@@ -97,6 +101,7 @@ private:
   const Material& material_;
   std::vector<Seen> seen_; // by node
   int search_ = 0;
+  int region_ = 0; // that the search starts in
 };
 
 Node nodeAt(const Level& level, const PathPoint& p)

@@ -36,16 +36,6 @@ double airRowByRow(const Level& level, const std::vector<std::vector<RowSpan>>& 
   return sum;
 }
 
-double airWithin(const Level& level, const RowRegion& region, bool right)
-{
-  double sum = 0;
-  for (std::size_t i = 1; i < region.size(); ++i) {
-    right = !right;
-    sum += airBetween(level, region[i - 1].end(right), region[i].end(right));
-  }
-  return sum;
-}
-
 } // namespace
 
 std::vector<LevelPath> ZigZagRoughing::clearLevel(const Level& level,
@@ -58,12 +48,14 @@ std::vector<LevelPath> ZigZagRoughing::clearLevel(const Level& level,
   };
 
   std::vector<Chain> chains; // two of each region
+  std::vector<double> between;
   std::vector<TourItem> items;
   double within = 0;
   for (const auto& region : regions) {
     items.emplace_back();
     for (const bool right : {false, true}) {
-      chains.push_back(zigzag(level, region, right));
+      between.push_back(0);
+      chains.push_back(zigzag(level, region, right, between.back()));
       const Eigen::Vector2d in = level.map().at(chains.back().front());
       const Eigen::Vector2d out = level.map().at(chains.back().back());
       items.back().push_back({in, out});
@@ -76,7 +68,7 @@ std::vector<LevelPath> ZigZagRoughing::clearLevel(const Level& level,
     Chain& chain = chains[2 * stop.item + stop.way / 2];
     if (stop.way % 2)
       std::reverse(chain.begin(), chain.end());
-    within += airWithin(level, regions[stop.item], stop.way / 2);
+    within += between[2 * stop.item + stop.way / 2];
     paths.push_back(pathAlong(level, chain));
   }
   figures.set("regions", static_cast<double>(regions.size()));

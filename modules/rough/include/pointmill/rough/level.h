@@ -19,10 +19,12 @@ public:
   /// @param z height of the tip [mm]
   /// @param step_over distance between neighbouring rows or contours [mm]
   /// @param below what is free at this lower level too is left to that level [mm]
+  /// @param regions the map's, or null: all is one
   Level(const LevelMap& map,
         double z,
         double step_over,
-        double below = -std::numeric_limits<double>::infinity());
+        double below = -std::numeric_limits<double>::infinity(),
+        const std::vector<int>* regions = nullptr);
 
   const LevelMap& map() const { return *map_; }
   double z() const { return z_; }
@@ -50,6 +52,8 @@ public:
   {
     return map_->lowestAlongPoints(a, b) <= z_ + kTouch;
   }
+  /// @brief The map's region that the node is in; 0: far from all stock.
+  int region(Node n) const { return regions_ ? (*regions_)[map_->index(n)] : 1; }
   /// @brief Whether any node is needed.
   bool isEmpty() const { return empty_; }
 
@@ -61,6 +65,7 @@ private:
   static constexpr double kTouch = 1e-6; // rounding [mm]
 
   const LevelMap* map_;
+  const std::vector<int>* regions_;
   double z_, step_over_;
   bool empty_ = true;
   std::vector<unsigned char> state_;
