@@ -58,19 +58,95 @@ Material::Material(const Level& level, int parts)
         });
 }
 
-std::size_t
-Material::cut(const Eigen::Vector2d& a, const Eigen::Vector2d& b, double radius)
+std::size_t Material::cut(const Eigen::Vector2d& a,
+                          const Eigen::Vector2d& b,
+                          double radius,
+                          Log* log)
 {
   std::size_t taken = 0;
   forCapsule(grid_, a, b, radius, [&](int row, int first, int last) {
     unsigned char* line = &cells_[grid_.index(0, row)];
     for (int column = first; column <= last; ++column) {
-      taken += line[column] != Air;
+      if (line[column] == Air)
+        continue;
+      if (log)
+        log->emplace_back(grid_.index(column, row), static_cast<Cell>(line[column]));
+      ++taken;
       left_ -= line[column] == ToCut;
       line[column] = Air;
     }
   });
   return taken;
+}
+
+void Material::restore(Log& log, std::size_t keep)
+{
+  for (; log.size() > keep; log.pop_back()) {
+    cells_[log.back().first] = log.back().second;
+    left_ += log.back().second == ToCut;
+  }
+}
+
+std::size_t
+Material::ahead(const Eigen::Vector2d& a, const Eigen::Vector2d& b, double radius) const
+{
+  std::size_t count = 0;
+  forCapsule(grid_, b, b, radius, [&](int row, int first, int last) {
+    const unsigned char* line = &cells_[grid_.index(0, row)];
+    const auto add = [&](int from, int to) {
+      for (int column = from; column <= to; ++column)
+        count += line[column] != Air;
+    };
+    const double dy = grid_.y(row) - a.y(), half2 = radius * radius - dy * dy;
+    if (half2 < 0)
+      return add(first, last);
+    const double half = std::sqrt(half2), x0 = grid_.x0 + grid_.cell / 2;
+    add(first,
+        std::min(last,
+                 static_cast<int>(std::ceil((a.x() - half - x0) / grid_.cell)) - 1));
+    add(std::max(first,
+                 static_cast<int>(std::floor((a.x() + half - x0) / grid_.cell)) + 1),
+        last);
+  });
+  return count;
+}
+
+bool Material::isClear(const Eigen::Vector2d& a,
+                       const Eigen::Vector2d& b,
+                       double radius) const
+{
+  bool clear = true;
+  forCapsule(grid_, a, b, radius, [&](int row, int first, int last) {
+    const unsigned char* line = &cells_[grid_.index(0, row)];
+    for (int column = first; clear && column <= last; ++column)
+      clear = line[column] == Air;
+  });
+  return clear;
+}
+
+bool Material::isToCut(const Eigen::Vector2d& p, double radius) const
+{
+  bool any = false;
+  forCapsule(grid_, p, p, radius, [&](int row, int first, int last) {
+    const unsigned char* line = &cells_[grid_.index(0, row)];
+    for (int column = first; !any && column <= last; ++column)
+      any = line[column] == ToCut;
+  });
+  return any;
+}
+
+Eigen::Vector2d Material::middleToCut(const Eigen::Vector2d& p, double radius) const
+{
+  Eigen::Vector2d sum(0, 0);
+  double count = 0;
+  forCapsule(grid_, p, p, radius, [&](int row, int first, int last) {
+    for (int column = first; column <= last; ++column)
+      if (cells_[grid_.index(column, row)] == ToCut) {
+        sum += Eigen::Vector2d(grid_.x(column), grid_.y(row)) - p;
+        count += 1;
+      }
+  });
+  return count > 0 ? Eigen::Vector2d(p + sum / count) : p;
 }
 
 void Material::cut(const LevelPath& path)
@@ -87,7 +163,7 @@ double Material::certainRadius() const
   return std::max(0.0, radius_ - grid_.cell * std::sqrt(0.5));
 }
 
-std::vector<unsigned char> Material::nodesToCut() const
+std::vector<unsigned char> Material::nodesToCut(double radius) const
 {
   std::vector<unsigned char> nodes(nodes_.size(), 0);
   for (int row = 0; row < grid_.rows; ++row)
@@ -96,7 +172,7 @@ std::vector<unsigned char> Material::nodesToCut() const
         row,
         [&](int column) { return cells_[grid_.index(column, row)] == ToCut; },
         [&](const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
-          forCapsule(nodes_, a, b, certainRadius(), [&](int r, int first, int last) {
+          forCapsule(nodes_, a, b, radius, [&](int r, int first, int last) {
             std::fill_n(&nodes[nodes_.index(first, r)], last - first + 1, 1);
           });
         });

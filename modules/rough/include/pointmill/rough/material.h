@@ -7,6 +7,7 @@
 #include <Eigen/Core>
 
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace pointmill {
@@ -38,10 +39,31 @@ public:
   /// @brief Cells that are left to cut.
   std::size_t left() const { return left_; }
 
+  /// @brief Cells that were cut, and what they had been.
+  using Log = std::vector<std::pair<std::size_t, Cell>>;
+
   /// @brief Moves a disc of @p radius [mm] straight from @p a to @p b: cells whose
   /// centres it passes over are air.
+  /// @param log what it took is added, or null
   /// @return how many cells it took, of either kind
-  std::size_t cut(const Eigen::Vector2d& a, const Eigen::Vector2d& b, double radius);
+  std::size_t cut(const Eigen::Vector2d& a,
+                  const Eigen::Vector2d& b,
+                  double radius,
+                  Log* log = nullptr);
+  /// @brief Undoes what @p log holds beyond its first @p keep cells, and forgets it.
+  void restore(Log& log, std::size_t keep);
+
+  /// @brief Cells of either kind that a disc of @p radius [mm] meets at @p b which it
+  /// does not at @p a.
+  std::size_t
+  ahead(const Eigen::Vector2d& a, const Eigen::Vector2d& b, double radius) const;
+  /// @brief Whether a disc moves straight from @p a to @p b through air alone.
+  bool isClear(const Eigen::Vector2d& a, const Eigen::Vector2d& b, double radius) const;
+  /// @brief Whether a disc meets something to cut at @p p.
+  bool isToCut(const Eigen::Vector2d& p, double radius) const;
+  /// @brief The middle of what is left to cut within @p radius of @p p; @p p itself
+  /// where there is nothing.
+  Eigen::Vector2d middleToCut(const Eigen::Vector2d& p, double radius) const;
 
   /// @brief Mills a path: cells that are under the tool's end for certain are air.
   void cut(const LevelPath& path);
@@ -51,7 +73,10 @@ public:
   double certainRadius() const;
   /// @brief Set for the nodes at which the tool would cut something that is left to
   /// cut.
-  std::vector<unsigned char> nodesToCut() const;
+  std::vector<unsigned char> nodesToCut() const { return nodesToCut(certainRadius()); }
+  /// @brief Set for the nodes within @p radius [mm] of the centre of a cell that is
+  /// left to cut.
+  std::vector<unsigned char> nodesToCut(double radius) const;
 
 private:
   double radius_, z_;

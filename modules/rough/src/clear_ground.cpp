@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the PointMill authors
+#include "clear_ground.h"
+
+#include "border.h"
+
+#include <pointmill/slice/distance_field.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace pointmill {
+namespace {
+
+using Eigen::Vector2d;
+
+constexpr double kThickestSkin = 0.15; // of the radius
+constexpr double kNear = 1.5;          // of the radius: what a start depends on
+/// A front goes on beyond so many radii of something else.
+constexpr double kInterruption = 0.3;
+
+} // namespace
+
+Node Front::beyond() const
+{
+  return at + pointmill::direction(direction);
+}
+
+ClearGround::ClearGround(const Level& level, const Material& material, double side)
+    : level_(level), material_(material), side_(side)
+{
+  const CellGrid& grid = level.map().grid();
+  const double radius = level.map().endRadius();
+  const double skin = std::min(grid.cell, kThickestSkin * radius);
+  front_radius_ = radius - skin;
+  clear_radius_ = radius - skin / 2;
+  clear_.assign(grid.size(), 0);
+  seen_.assign(grid.size(), 0);
+  banned_.assign(grid.size(), 0);
+  from_.assign(grid.size(), 0);
+  // Far from all stock everything is clear.
+  std::vector<unsigned char> stands(grid.size());
+  for (int row = 0; row < grid.rows; ++row)
+    for (int column = 0; column < grid.columns; ++column)
+      stands[grid.index(column, row)] =
+          level.map().standing({column, row}) > level.z() + 1e-3;
+  const auto away = distanceField(stands, grid.columns, grid.rows);
+  for (int row = 0; row < grid.rows; ++row)
+    for (int column = 0; column < grid.columns; ++column)
+      clear_[grid.index(column, row)] =
+          level.isFree(Node{column, row}) &&
+          away[grid.index(column, row)] * grid.cell > clear_radius_ + grid.cell;
+}
+
+bool ClearGround::isClear(Node n)
+{
+  if (!level_.isFree(n))
+    return false;
+  unsigned char& known = clear_[level_.map().index(n)];
+  if (!known) {
+    const Vector2d p = level_.map().at(n);
+    known = material_.isClear(p, p, clear_radius_);
+  }
+  return known;
+}
+
+bool ClearGround::isFront(Node n)
+{
+  if (!level_.isFree(n) || isClear(n))
+    return false;
+  const Vector2d p = level_.map().at(n);
+  if (!material_.isToCut(p, front_radius_))
+    return false;
+  const unsigned banned = banned_[level_.map().index(n)];
+  return banned == 0 ||
+         banned != 1 + material_.ahead({1e9, 1e9}, p, kNear * front_radius_);
+}
+
+bool ClearGround::isClear(const Vector2d& a, const Vector2d& b) const
+{
+  return level_.isFree(a, b) && material_.isClear(a, b, clear_radius_);
+}
+
+void ClearGround::ban(Node n)
+{
+  banned_[level_.map().index(n)] =
+      1 + static_cast<unsigned>(
+              material_.ahead({1e9, 1e9}, level_.map().at(n), kNear * front_radius_));
+}
+
+std::optional<Front> ClearGround::frontAt(Node n)
+{
+  for (int d = 0; d < 4; ++d)
+    if (isFront(n + direction(d)))
+      return Front{n, d};
+  return {};
+}
+
+std::optional<Front> ClearGround::nearest(const Vector2d& from, std::vector<Node>& way)
+{
+  const CellGrid& grid = level_.map().grid();
+  ++search_;
+  std::vector<std::size_t> open;
+  const auto push = [&](Node n, std::size_t before) {
+    const std::size_t i = grid.index(n.column, n.row);
+    seen_[i] = search_;
+    from_[i] = before;
+    open.push_back(i);
+  };
+  constexpr auto kStart = std::numeric_limits<std::size_t>::max();
+  const int column = grid.columnOf(from.x()), row = grid.rowOf(from.y());
+  constexpr int kAround = 2;
+  for (int r = row - kAround; r <= row + kAround; ++r)
+    for (int c = column - kAround; c <= column + kAround; ++c)
+      if (isClear(Node{c, r}) && isClear(from, level_.map().at({c, r})))
+        push({c, r}, kStart);
+  std::sort(open.begin(), open.end(), [&](std::size_t a, std::size_t b) {
+    const auto away = [&](std::size_t i) {
+      const Node n{int(i % grid.columns), int(i / grid.columns)};
+      return (level_.map().at(n) - from).squaredNorm();
+    };
+    const double da = away(a), db = away(b);
+    return da != db ? da < db : a < b;
+  });
+  for (std::size_t k = 0; k < open.size(); ++k) {
+    const std::size_t i = open[k];
+    const Node n{int(i % grid.columns), int(i / grid.columns)};
+    if (const auto front = frontAt(n)) {
+      way.clear();
+      for (std::size_t j = i; j != kStart; j = from_[j])
+        way.push_back({int(j % grid.columns), int(j / grid.columns)});
+      std::reverse(way.begin(), way.end());
+      return front;
+    }
+    for (int d = 0; d < 4; ++d) {
+      const Node next = n + direction(d);
+      if (grid.has(next.column, next.row) &&
+          seen_[grid.index(next.column, next.row)] != search_ && isClear(next))
+        push(next, i);
+    }
+  }
+  return {};
+}
+
+std::optional<Front> ClearGround::anywhere(const Vector2d& from)
+{
+  const CellGrid& grid = level_.map().grid();
+  std::optional<Front> best;
+  double least = std::numeric_limits<double>::infinity();
+  for (int row = 0; row < grid.rows; ++row)
+    for (int column = 0; column < grid.columns; ++column) {
+      const Node n{column, row};
+      const double away = (level_.map().at(n) - from).squaredNorm();
+      if (away >= least || !isClear(n))
+        continue;
+      if (const auto front = frontAt(n)) {
+        best = front;
+        least = away;
+      }
+    }
+  return best;
+}
+
+Front ClearGround::beginning(const Front& front, std::vector<Node>& way)
+{
+  // Backwards along the edge of the clear ground, the material on the other side.
+  const CellGrid& grid = level_.map().grid();
+  const int left = side_ > 0 ? 1 : 3;
+  Front at = front, begin = front;
+  const std::size_t most = 4 * grid.size(), length = way.size();
+  std::size_t kept = length;
+  double gap = 0;
+  for (std::size_t i = 0; i < most; ++i) {
+    const int forward = (at.direction + 4 - left) & 3;
+    const Node ahead = at.at + direction(forward);
+    const Node corner = ahead + direction(at.direction);
+    if (!isClear(ahead))
+      at.direction = forward;
+    else if (!isClear(corner))
+      at.at = ahead;
+    else {
+      way.push_back(ahead);
+      at.at = corner;
+      at.direction = (forward + 2) & 3;
+    }
+    if (way.empty() || way.back() != at.at)
+      way.push_back(at.at);
+    if (at.at == front.at && at.direction == front.direction) {
+      way.resize(length); // round in a ring
+      return front;
+    }
+    gap += grid.cell;
+    if (isFront(at.beyond())) {
+      begin = at;
+      kept = way.size();
+      gap = 0;
+    }
+    if (gap > kInterruption * front_radius_ + 2 * grid.cell)
+      break;
+  }
+  way.resize(kept);
+  return begin;
+}
+
+} // namespace pointmill
