@@ -3,6 +3,7 @@
 #pragma once
 
 #include <pointmill/common/error.h>
+#include <pointmill/rough/high_speed_roughing.h>
 #include <pointmill/rough/spiral_roughing.h>
 #include <pointmill/rough/zigzag_roughing.h>
 #include <pointmill/slice/occupancy_map.h>
@@ -66,12 +67,17 @@ inline double
 clearance(const CLCloud& passes, const Tool& tool, const brute::Points& points)
 {
   double least = std::numeric_limits<double>::infinity();
-  forMovesOfPasses(passes, [&](const auto& a, const auto& b, const PointCL&) {
-    EXPECT_EQ(a.z(), b.z()) << "a pass of roughing leaves its level";
-    for (const auto& p : points)
-      if (p.z() > a.z() - 5)
-        least = std::min(least, distanceToSweep(tool, a, b, p));
-  });
+  forMovesOfPasses(
+      passes, [&](Eigen::Vector3d a, Eigen::Vector3d b, const PointCL& to) {
+        if (to.getMotion() != Motion::Ramp) {
+          EXPECT_EQ(a.z(), b.z()) << "a pass of roughing leaves its level";
+        }
+        a.z() = b.z() =
+            std::min(a.z(), b.z()); // a ramp is no nearer than its lower end
+        for (const auto& p : points)
+          if (p.z() > a.z() - 5)
+            least = std::min(least, distanceToSweep(tool, a, b, p));
+      });
   return least;
 }
 
@@ -93,7 +99,7 @@ inline double volumeRemoved(const StockField& field)
   return volume;
 }
 
-/// Fixture of what both strategies must do.
+/// Fixture of what all strategies must do.
 template <typename Strategy>
 class EveryRoughing : public ::testing::Test {
 protected:
@@ -115,13 +121,15 @@ protected:
   }
 };
 
-using Strategies = ::testing::Types<ZigZagRoughing, SpiralRoughing>;
+using Strategies = ::testing::Types<ZigZagRoughing, SpiralRoughing, HighSpeedRoughing>;
 
 struct StrategyNames {
   template <typename T>
   static std::string GetName(int)
   {
-    return std::is_same<T, ZigZagRoughing>::value ? "ZigZag" : "Spiral";
+    return std::is_same<T, ZigZagRoughing>::value   ? "ZigZag"
+           : std::is_same<T, SpiralRoughing>::value ? "Spiral"
+                                                    : "HighSpeed";
   }
 };
 

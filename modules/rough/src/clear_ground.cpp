@@ -39,18 +39,28 @@ ClearGround::ClearGround(const Level& level, const Material& material, double si
   seen_.assign(grid.size(), 0);
   banned_.assign(grid.size(), 0);
   from_.assign(grid.size(), 0);
-  // Far from all stock everything is clear.
-  std::vector<unsigned char> stands(grid.size());
-  for (int row = 0; row < grid.rows; ++row)
-    for (int column = 0; column < grid.columns; ++column)
-      stands[grid.index(column, row)] =
-          level.map().standing({column, row}) > level.z() + 1e-3;
+  refresh();
+}
+
+/// Far from all that stands everything is clear.
+void ClearGround::refresh()
+{
+  const CellGrid &grid = level_.map().grid(), &cells = material_.grid();
+  const int parts = cells.columns / grid.columns;
+  std::vector<unsigned char> stands(grid.size(), 0);
+  for (int row = 0; row < cells.rows; ++row)
+    for (int column = 0; column < cells.columns; ++column)
+      if (material_.at(column, row) != Material::Air)
+        stands[grid.index(column / parts, row / parts)] = 1;
   const auto away = distanceField(stands, grid.columns, grid.rows);
   for (int row = 0; row < grid.rows; ++row)
-    for (int column = 0; column < grid.columns; ++column)
-      clear_[grid.index(column, row)] =
-          level.isFree(Node{column, row}) &&
-          away[grid.index(column, row)] * grid.cell > clear_radius_ + grid.cell;
+    for (int column = 0; column < grid.columns; ++column) {
+      const std::size_t i = grid.index(column, row);
+      if (level_.isFree(Node{column, row}) &&
+          away[i] * grid.cell > clear_radius_ + grid.cell)
+        clear_[i] = 1;
+    }
+  looked_ = 0;
 }
 
 bool ClearGround::isClear(Node n)
@@ -59,22 +69,45 @@ bool ClearGround::isClear(Node n)
     return false;
   unsigned char& known = clear_[level_.map().index(n)];
   if (!known) {
-    const Vector2d p = level_.map().at(n);
-    known = material_.isClear(p, p, clear_radius_);
+    if (++looked_ > clear_.size() / 16)
+      refresh();
+    known = known ||
+            (looksClear(level_.map().at(n)) &&
+             material_.isClear(level_.map().at(n), level_.map().at(n), clear_radius_));
   }
   return known;
 }
 
-bool ClearGround::isFront(Node n)
+/// A few places first: most of what is not clear shows there.
+bool ClearGround::looksClear(const Vector2d& p) const
 {
+  constexpr int kPlaces = 8;
+  bool clear = material_.at(p) == Material::Air;
+  for (int i = 0; clear && i < kPlaces; ++i) {
+    const double angle = 2 * M_PI * i / kPlaces;
+    const Vector2d rim(std::cos(angle), std::sin(angle));
+    clear = material_.at(Vector2d(p + 0.95 * clear_radius_ * rim)) == Material::Air;
+  }
+  return clear;
+}
+
+bool ClearGround::isToCut(Node n) const
+{
+  return level_.isFree(n) && material_.isToCut(level_.map().at(n), front_radius_);
+}
+
+bool ClearGround::isFront(const Front& edge)
+{
+  const Node n = edge.beyond();
   if (!level_.isFree(n) || isClear(n))
     return false;
-  const Vector2d p = level_.map().at(n);
-  if (!material_.isToCut(p, front_radius_))
+  // The nodes may lie so that the next one only brushes what stands there.
+  if (!isToCut(n) && !isToCut(n + direction(edge.direction)))
     return false;
   const unsigned banned = banned_[level_.map().index(n)];
   return banned == 0 ||
-         banned != 1 + material_.ahead({1e9, 1e9}, p, kNear * front_radius_);
+         banned !=
+             1 + material_.ahead({1e9, 1e9}, level_.map().at(n), kNear * front_radius_);
 }
 
 bool ClearGround::isClear(const Vector2d& a, const Vector2d& b) const
@@ -92,7 +125,7 @@ void ClearGround::ban(Node n)
 std::optional<Front> ClearGround::frontAt(Node n)
 {
   for (int d = 0; d < 4; ++d)
-    if (isFront(n + direction(d)))
+    if (isFront({n, d}))
       return Front{n, d};
   return {};
 }
@@ -146,17 +179,24 @@ std::optional<Front> ClearGround::nearest(const Vector2d& from, std::vector<Node
 std::optional<Front> ClearGround::anywhere(const Vector2d& from)
 {
   const CellGrid& grid = level_.map().grid();
+  const auto cuts = material_.nodesToCut(front_radius_);
   std::optional<Front> best;
   double least = std::numeric_limits<double>::infinity();
   for (int row = 0; row < grid.rows; ++row)
     for (int column = 0; column < grid.columns; ++column) {
       const Node n{column, row};
-      const double away = (level_.map().at(n) - from).squaredNorm();
-      if (away >= least || !isClear(n))
+      if (!cuts[grid.index(column, row)] || !level_.isFree(n))
         continue;
-      if (const auto front = frontAt(n)) {
-        best = front;
-        least = away;
+      for (int d = 0; d < 4; ++d) { // from the next node or the one after it
+        Front edge{n, d};
+        for (int back = 1; back <= 2; ++back) {
+          edge.at = edge.at + direction(d + 2);
+          const double away = (level_.map().at(edge.at) - from).squaredNorm();
+          if (away < least && isClear(edge.at) && isFront(edge)) {
+            best = edge;
+            least = away;
+          }
+        }
       }
     }
   return best;
@@ -191,7 +231,7 @@ Front ClearGround::beginning(const Front& front, std::vector<Node>& way)
       return front;
     }
     gap += grid.cell;
-    if (isFront(at.beyond())) {
+    if (isFront(at)) {
       begin = at;
       kept = way.size();
       gap = 0;

@@ -36,9 +36,9 @@ public:
   double frontRadius() const { return front_radius_; }
 
   bool isClear(Node n);
-  /// @brief Whether the tool would cut there, and nobody failed to start from there
-  /// with the material as it is.
-  bool isFront(Node n);
+  /// @brief Whether the tool would cut beyond the edge of the clear ground, and no
+  /// start from there has failed with the material as it is.
+  bool isFront(const Front& edge);
   bool isClear(const Eigen::Vector2d& a, const Eigen::Vector2d& b) const;
   /// @brief Starting towards @p n has failed.
   void ban(Node n);
@@ -55,6 +55,9 @@ public:
 
 private:
   std::optional<Front> frontAt(Node n);
+  void refresh();
+  bool isToCut(Node n) const;
+  bool looksClear(const Eigen::Vector2d& p) const;
 
   const Level& level_;
   const Material& material_;
@@ -63,6 +66,7 @@ private:
   std::vector<unsigned> seen_, banned_;
   std::vector<std::size_t> from_;
   unsigned search_ = 0;
+  std::size_t looked_ = 0; // at nodes since all were refreshed
 };
 
 } // namespace pointmill

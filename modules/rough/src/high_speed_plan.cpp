@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace pointmill {
 namespace {
@@ -15,6 +16,8 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
+/// What is steered for, of the limit: the rest is for the cells of the simulation.
+constexpr double kTarget = 0.97;
 // Shares of the radius of the tool's end.
 constexpr double kStep = 0.125;      // of a walk
 constexpr double kTightest = 0.2;    // turn of a walk
@@ -24,6 +27,7 @@ constexpr double kLeastHelix = 0.25; // its radius
 constexpr double kMostHelix = 0.75;
 constexpr double kShortestTrack = 0.5; // of a ramp forth and back
 constexpr double kLeastArea = 0.02;    // of a walk, in squares of the radius
+constexpr double kFairArea = 0.2;      // of one that need not be bettered
 /// The widest cut that a walk can be steered by, of the diameter.
 constexpr double kWidest = 0.85;
 
@@ -36,8 +40,11 @@ int partsFor(const Level& level)
 WalkLimits limitsOf(const Level& level, double side)
 {
   const double r = level.map().endRadius();
-  return {
-      r, std::min(level.stepOver(), kWidest * 2 * r), kStep * r, kTightest * r, side};
+  return {r,
+          std::min(kTarget * level.stepOver(), kWidest * 2 * r),
+          kStep * r,
+          kTightest * r,
+          side};
 }
 
 double headingOf(const Vector2d& a, const Vector2d& b)
@@ -141,10 +148,8 @@ bool HighSpeedPlan::cutFrom(const Front& front, std::vector<Node> way, bool link
   Pose start{level_.map().at(first.at), 0};
   const Vector2d to = material_.middleToCut(start.at, r + 2 * level_.map().grid().cell);
   start.heading = headingOf(start.at, to) + settings_.side * M_PI / 2;
-  Walk walk = walker_.cutFrom(start, true);
-  const bool enough = walk.area >= kLeastArea * r * r && walk.points.size() > 1;
-  material_.restore(walk.log, 0);
-  if (!enough) {
+  const Walk walk = bestWalk(start);
+  if (walk.area < kLeastArea * r * r) {
     if (first.at != front.at || first.direction != front.direction)
       ground_.ban(first.beyond());
     return false;
@@ -163,6 +168,22 @@ bool HighSpeedPlan::cutFrom(const Front& front, std::vector<Node> way, bool link
   }
   follow(walk);
   return true;
+}
+
+/// The walk that keeps a way out, or, where it gets nowhere, what takes more.
+Walk HighSpeedPlan::bestWalk(const Pose& start)
+{
+  const double r = walker_.limits().radius;
+  Walk best;
+  for (const WayOut kind : {WayOut::Gentle, WayOut::Tight, WayOut::None}) {
+    Walk walk = walker_.cutFrom(start, true, kind);
+    material_.restore(walk.log, 0);
+    if (walk.area > best.area)
+      best = std::move(walk);
+    if (best.area >= kFairArea * r * r)
+      break;
+  }
+  return best;
 }
 
 void HighSpeedPlan::follow(const Walk& walk)
@@ -209,23 +230,46 @@ Descent HighSpeedPlan::descentOver(const std::vector<Vector2d>& track) const
   return {std::min(top, level_.z() + settings_.layer), settings_.ramp_slope};
 }
 
-double HighSpeedPlan::areaUnder(const std::vector<Node>& nodes) const
+/// What is left to cut under the tool at these nodes; no more than about `enough`.
+double HighSpeedPlan::areaUnder(const std::vector<Node>& nodes, double enough) const
 {
   const CellGrid& grid = material_.grid();
-  std::vector<std::size_t> cells;
-  for (const Node n : nodes)
-    forCapsule(grid,
-               level_.map().at(n),
-               level_.map().at(n),
-               ground_.frontRadius(),
-               [&](int row, int first, int last) {
-                 for (int column = first; column <= last; ++column)
-                   if (material_.at(column, row) == Material::ToCut)
-                     cells.push_back(grid.index(column, row));
-               });
-  std::sort(cells.begin(), cells.end());
-  const auto end = std::unique(cells.begin(), cells.end());
-  return static_cast<double>(end - cells.begin()) * grid.cell * grid.cell;
+  std::vector<unsigned char> seen(grid.size(), 0);
+  const double cell2 = grid.cell * grid.cell;
+  double area = 0;
+  for (std::size_t k = 0; k < nodes.size() && area < enough; ++k) {
+    const Vector2d p = level_.map().at(nodes[k]);
+    forCapsule(grid, p, p, ground_.frontRadius(), [&](int row, int first, int last) {
+      for (int column = first; column <= last; ++column) {
+        unsigned char& cell = seen[grid.index(column, row)];
+        if (!cell && material_.at(column, row) == Material::ToCut) {
+          cell = 1;
+          area += cell2;
+        }
+      }
+    });
+  }
+  return area;
+}
+
+/// The open node nearest to the middle of those with so much room.
+Node HighSpeedPlan::middleOf(const std::vector<unsigned char>& open, double room) const
+{
+  const LevelMap& map = level_.map();
+  std::vector<Node> wide;
+  Vector2d sum(0, 0);
+  for (int row = 0; row < map.grid().rows; ++row)
+    for (int column = 0; column < map.grid().columns; ++column) {
+      const Node n{column, row};
+      if (open[map.index(n)] && walker_.roomAt(map.at(n)) >= room) {
+        wide.push_back(n);
+        sum += map.at(n);
+      }
+    }
+  const Vector2d middle = sum / static_cast<double>(wide.size());
+  return *std::min_element(wide.begin(), wide.end(), [&](Node a, Node b) {
+    return (map.at(a) - middle).squaredNorm() < (map.at(b) - middle).squaredNorm();
+  });
 }
 
 bool HighSpeedPlan::enter()
@@ -234,20 +278,17 @@ bool HighSpeedPlan::enter()
   // one with the widest spot first.
   const LevelMap& map = level_.map();
   auto open = material_.nodesToCut(ground_.frontRadius());
-  Node widest{-1, -1};
   double room = -1;
   for (int row = 0; row < map.grid().rows; ++row)
     for (int column = 0; column < map.grid().columns; ++column) {
-      const Node n{column, row};
-      const std::size_t i = map.index(n);
-      open[i] = open[i] && level_.isFree(n) && !no_entry_[i];
-      if (open[i] && walker_.roomAt(map.at(n)) > room) {
-        room = walker_.roomAt(map.at(n));
-        widest = n;
-      }
+      const std::size_t i = map.index({column, row});
+      open[i] = open[i] && level_.isFree(Node{column, row}) && !no_entry_[i];
+      if (open[i])
+        room = std::max(room, walker_.roomAt(map.at({column, row})));
     }
   if (room < 0)
     return false;
+  const Node widest = middleOf(open, room - map.grid().cell);
   std::vector<Node> piece{widest};
   open[map.index(widest)] = 0;
   for (std::size_t k = 0; k < piece.size(); ++k)
@@ -259,14 +300,13 @@ bool HighSpeedPlan::enter()
       }
     }
   const double r = walker_.limits().radius;
-  const double area = areaUnder(piece);
-  if (area >= kLeastArea * r * r) {
+  if (areaUnder(piece, kLeastArea * r * r) >= kLeastArea * r * r) {
     if (room >= kLeastHelix * r && boreHelix(widest))
       return true;
     if (rampAlong(piece))
       return true;
   }
-  narrow_ += area;
+  narrow_ += areaUnder(piece, std::numeric_limits<double>::infinity());
   for (const Node n : piece)
     no_entry_[map.index(n)] = 1;
   return true;

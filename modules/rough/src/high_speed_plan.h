@@ -28,15 +28,17 @@ public:
 
 private:
   bool cutFrom(const Front& front, std::vector<Node> way, bool linked);
+  Walk bestWalk(const Pose& start);
   void follow(const Walk& walk);
   bool enter();
+  Node middleOf(const std::vector<unsigned char>& open, double room) const;
   bool boreHelix(Node centre);
   bool rampAlong(const std::vector<Node>& piece);
   void begin();
   void add(const Eigen::Vector2d& at, Motion motion);
   void addEntry(const std::vector<Eigen::Vector3d>& way);
   Descent descentOver(const std::vector<Eigen::Vector2d>& track) const;
-  double areaUnder(const std::vector<Node>& nodes) const;
+  double areaUnder(const std::vector<Node>& nodes, double enough) const;
 
   const Level& level_;
   HighSpeedSettings settings_;

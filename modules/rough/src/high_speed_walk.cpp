@@ -16,6 +16,8 @@ using Eigen::Vector2d;
 constexpr double kContact = 0.02; // of the radius; a narrower cut is air
 constexpr double kMostAir = 1.0;  // of the radius; then the walk has lost its material
 constexpr int kTrials = 5, kHalvings = 5;
+constexpr double kNear = 0.05; // a turn differs little from the last [rad]
+constexpr int kNearHalvings = 3;
 
 } // namespace
 
@@ -56,27 +58,28 @@ Pose Walker::turned(const Pose& from, double angle) const
 
 /// Whether the tool can still turn away from the material by a quarter, so that it does
 /// not run into a wall.
-bool Walker::hasWayOut(const Pose& pose) const
+bool Walker::hasWayOut(const Pose& pose, WayOut kind) const
 {
-  if (roomAt(pose.at) > 1.5 * limits_.tightest)
+  if (kind == WayOut::None || roomAt(pose.at) > 1.5 * limits_.radius)
     return true;
-  constexpr int kPieces = 4;
-  const double angle = M_PI / 2 / kPieces;
+  constexpr double kPiece = M_PI / 12;
+  const int gentle = kind == WayOut::Gentle ? 2 : 0;
   Pose at = pose;
-  for (int i = 0; i < kPieces; ++i) {
+  for (int i = 0; i < 6; ++i) {
+    const double radius = i < gentle ? limits_.radius : limits_.tightest;
     const Vector2d from = at.at;
-    at.heading += limits_.side * angle / 2;
-    at.at = at.ahead(2 * limits_.tightest * std::sin(angle / 2));
-    at.heading += limits_.side * angle / 2;
+    at.heading += limits_.side * kPiece / 2;
+    at.at = at.ahead(2 * radius * std::sin(kPiece / 2));
+    at.heading += limits_.side * kPiece / 2;
     if (!level_.isFree(from, at.at))
       return false;
   }
   return true;
 }
 
-bool Walker::mayGo(const Pose& to, const Vector2d& from, bool with_way_out) const
+bool Walker::mayGo(const Pose& to, const Vector2d& from, WayOut way_out) const
 {
-  if (!level_.isFree(from, to.at) || (with_way_out && !hasWayOut(to)))
+  if (!level_.isFree(from, to.at) || !hasWayOut(to, way_out))
     return false;
   const double cell = material_.grid().cell;
   const auto taken = static_cast<double>(material_.ahead(from, to.at, limits_.radius));
@@ -85,10 +88,10 @@ bool Walker::mayGo(const Pose& to, const Vector2d& from, bool with_way_out) cons
 
 /// The turn nearest to `in` that may be gone.
 Walker::Turn
-Walker::bestTurn(const Pose& pose, double in, double out, bool with_way_out) const
+Walker::bestTurn(const Pose& pose, double in, double out, WayOut way_out) const
 {
   const auto good = [&](double angle) {
-    return mayGo(turned(pose, angle), pose.at, with_way_out);
+    return mayGo(turned(pose, angle), pose.at, way_out);
   };
   double bad = in;
   for (int i = 0; i <= kTrials; ++i) {
@@ -106,7 +109,24 @@ Walker::bestTurn(const Pose& pose, double in, double out, bool with_way_out) con
   return {0, false};
 }
 
-Walk Walker::cutFrom(const Pose& start, bool any_heading)
+/// The same where it is close to `guess`.
+Walker::Turn Walker::nearTurn(
+    const Pose& pose, double guess, double in, double out, WayOut way_out) const
+{
+  const auto good = [&](double angle) {
+    return mayGo(turned(pose, angle), pose.at, way_out);
+  };
+  double bad = guess - kNear, best = guess + kNear;
+  if (bad <= in || best >= out || good(bad) || !good(best))
+    return {0, false};
+  for (int k = 0; k < kNearHalvings; ++k) {
+    const double middle = (bad + best) / 2;
+    (good(middle) ? best : bad) = middle;
+  }
+  return {best, true};
+}
+
+Walk Walker::cutFrom(const Pose& start, bool any_heading, WayOut way_out)
 {
   const double cell2 = material_.grid().cell * material_.grid().cell;
   const double step = limits_.step;
@@ -120,17 +140,19 @@ Walk Walker::cutFrom(const Pose& start, bool any_heading)
   Walk walk;
   Pose pose = start;
   walk.points.push_back(pose.at);
-  double air = 0, area = 0;
+  double air = 0, area = 0, last = in;
   struct Kept {
     std::size_t points, cells;
     double area, heading;
   } kept{1, 0, 0.0, pose.heading};
   while (air <= kMostAir * limits_.radius) {
-    Turn turn = bestTurn(pose, in, out, true);
-    if (!turn.possible)
-      turn = bestTurn(pose, in, out, false);
+    Turn turn = nearTurn(pose, last, in, out, way_out);
+    for (const WayOut kind : {WayOut::Gentle, WayOut::Tight, WayOut::None})
+      if (!turn.possible && kind >= way_out)
+        turn = bestTurn(pose, in, out, kind);
     if (!turn.possible)
       break;
+    last = turn.angle;
     const Pose next = turned(pose, turn.angle);
     const std::size_t before = material_.left();
     material_.cut(pose.at, next.at, limits_.radius, &walk.log);

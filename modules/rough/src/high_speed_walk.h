@@ -28,6 +28,11 @@ struct WalkLimits {
   double side;     ///< +1: the material is on the right; -1: on the left
 };
 
+/// @brief What a walk tries to keep open, so that it turns along a wall before it runs
+/// into it: a turn away from the material that is gentle at first, the tightest one, or
+/// none.
+enum class WayOut { Gentle, Tight, None };
+
 /// @brief A walk with the material on one side, and what it took.
 struct Walk {
   std::vector<Eigen::Vector2d> points;
@@ -54,7 +59,7 @@ public:
   /// @brief Cuts from @p start on until nothing is cut for a while or there is no way
   /// on. The material is cut; the last move through air is left out.
   /// @param any_heading the first move may turn as it likes
-  Walk cutFrom(const Pose& start, bool any_heading);
+  Walk cutFrom(const Pose& start, bool any_heading, WayOut way_out = WayOut::Gentle);
 
 private:
   struct Turn {
@@ -62,9 +67,11 @@ private:
     bool possible;
   };
   Pose turned(const Pose& from, double angle) const;
-  bool mayGo(const Pose& to, const Eigen::Vector2d& from, bool with_way_out) const;
-  bool hasWayOut(const Pose& pose) const;
-  Turn bestTurn(const Pose& pose, double in, double out, bool with_way_out) const;
+  bool mayGo(const Pose& to, const Eigen::Vector2d& from, WayOut way_out) const;
+  bool hasWayOut(const Pose& pose, WayOut kind) const;
+  Turn bestTurn(const Pose& pose, double in, double out, WayOut way_out) const;
+  Turn
+  nearTurn(const Pose& pose, double guess, double in, double out, WayOut way_out) const;
 
   const Level& level_;
   Material& material_;

@@ -90,24 +90,39 @@ void Material::restore(Log& log, std::size_t keep)
 std::size_t
 Material::ahead(const Eigen::Vector2d& a, const Eigen::Vector2d& b, double radius) const
 {
+  // In each row what lies left and right of the first disc.
+  const double x0 = grid_.x0 + grid_.cell / 2, y0 = grid_.y0 + grid_.cell / 2;
+  const double r2 = radius * radius;
+  const int bottom =
+      std::max(0, static_cast<int>(std::ceil((b.y() - radius - y0) / grid_.cell)));
+  const int top = std::min(
+      grid_.rows - 1, static_cast<int>(std::floor((b.y() + radius - y0) / grid_.cell)));
   std::size_t count = 0;
-  forCapsule(grid_, b, b, radius, [&](int row, int first, int last) {
+  for (int row = bottom; row <= top; ++row) {
+    const double y = grid_.y(row);
+    const double half = std::sqrt(std::max(0.0, r2 - (y - b.y()) * (y - b.y())));
+    const int first =
+        std::max(0, static_cast<int>(std::ceil((b.x() - half - x0) / grid_.cell)));
+    const int last =
+        std::min(grid_.columns - 1,
+                 static_cast<int>(std::floor((b.x() + half - x0) / grid_.cell)));
     const unsigned char* line = &cells_[grid_.index(0, row)];
     const auto add = [&](int from, int to) {
       for (int column = from; column <= to; ++column)
         count += line[column] != Air;
     };
-    const double dy = grid_.y(row) - a.y(), half2 = radius * radius - dy * dy;
-    if (half2 < 0)
-      return add(first, last);
-    const double half = std::sqrt(half2), x0 = grid_.x0 + grid_.cell / 2;
-    add(first,
-        std::min(last,
-                 static_cast<int>(std::ceil((a.x() - half - x0) / grid_.cell)) - 1));
-    add(std::max(first,
-                 static_cast<int>(std::floor((a.x() + half - x0) / grid_.cell)) + 1),
-        last);
-  });
+    const double other2 = r2 - (y - a.y()) * (y - a.y());
+    if (other2 < 0) {
+      add(first, last);
+      continue;
+    }
+    const double left = (a.x() - std::sqrt(other2) - x0) / grid_.cell;
+    const double right = (a.x() + std::sqrt(other2) - x0) / grid_.cell;
+    if (left > first)
+      add(first, std::min(last, static_cast<int>(std::ceil(left)) - 1));
+    if (right < last)
+      add(std::max(first, static_cast<int>(std::floor(right)) + 1), last);
+  }
   return count;
 }
 
