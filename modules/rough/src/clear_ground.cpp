@@ -19,6 +19,9 @@ constexpr double kThickestSkin = 0.15; // of the radius
 constexpr double kNear = 1.5;          // of the radius: what a start depends on
 /// A front goes on beyond so many radii of something else.
 constexpr double kInterruption = 0.3;
+constexpr double kBanned = 0.1; // of the radius: as good as the same start
+/// Looking at so many cells costs what it costs to find a node clear.
+constexpr std::size_t kLooksPerRefresh = 64;
 
 } // namespace
 
@@ -69,11 +72,11 @@ bool ClearGround::isClear(Node n)
     return false;
   unsigned char& known = clear_[level_.map().index(n)];
   if (!known) {
-    if (++looked_ > clear_.size() / 16)
+    const Vector2d p = level_.map().at(n);
+    known = looksClear(p) && material_.isClear(p, p, clear_radius_);
+    looked_ += known;
+    if (looked_ > material_.grid().size() / kLooksPerRefresh)
       refresh();
-    known = known ||
-            (looksClear(level_.map().at(n)) &&
-             material_.isClear(level_.map().at(n), level_.map().at(n), clear_radius_));
   }
   return known;
 }
@@ -117,9 +120,14 @@ bool ClearGround::isClear(const Vector2d& a, const Vector2d& b) const
 
 void ClearGround::ban(Node n)
 {
-  banned_[level_.map().index(n)] =
-      1 + static_cast<unsigned>(
-              material_.ahead({1e9, 1e9}, level_.map().at(n), kNear * front_radius_));
+  const CellGrid& grid = level_.map().grid();
+  const int reach = static_cast<int>(kBanned * front_radius_ / grid.cell);
+  for (int row = n.row - reach; row <= n.row + reach; ++row)
+    for (int column = n.column - reach; column <= n.column + reach; ++column)
+      if (grid.has(column, row))
+        banned_[grid.index(column, row)] =
+            1 + static_cast<unsigned>(material_.ahead(
+                    {1e9, 1e9}, level_.map().at({column, row}), kNear * front_radius_));
 }
 
 std::optional<Front> ClearGround::frontAt(Node n)
@@ -171,6 +179,47 @@ std::optional<Front> ClearGround::nearest(const Vector2d& from, std::vector<Node
       if (grid.has(next.column, next.row) &&
           seen_[grid.index(next.column, next.row)] != search_ && isClear(next))
         push(next, i);
+    }
+  }
+  return {};
+}
+
+std::vector<Vector2d> ClearGround::brush(const Vector2d& from,
+                                         const std::vector<Node>& to,
+                                         std::size_t most) const
+{
+  // From the goal, so that the way comes out forwards.
+  const LevelMap& map = level_.map();
+  const CellGrid& grid = map.grid();
+  const auto open_between = [&](const Vector2d& a, const Vector2d& b) {
+    return level_.isFree(a, b) && material_.standing(a, b, clear_radius_, most) <= most;
+  };
+  std::vector<std::size_t> next(grid.size(), grid.size()), open;
+  for (const Node n : to)
+    if (open_between(map.at(n), map.at(n))) {
+      open.push_back(map.index(n));
+      next[open.back()] = open.back();
+    }
+  const auto node = [&](std::size_t i) {
+    return Node{int(i % grid.columns), int(i / grid.columns)};
+  };
+  for (std::size_t k = 0; k < open.size(); ++k) {
+    const Node n = node(open[k]);
+    if ((map.at(n) - from).norm() < 2 * grid.cell && open_between(from, map.at(n))) {
+      std::vector<Vector2d> way{from};
+      for (std::size_t i = open[k];; i = next[i]) {
+        way.push_back(map.at(node(i)));
+        if (next[i] == i)
+          return way;
+      }
+    }
+    for (int d = 0; d < 4; ++d) {
+      const Node other = n + direction(d);
+      if (map.has(other) && next[map.index(other)] == grid.size() &&
+          level_.isFree(other) && open_between(map.at(n), map.at(other))) {
+        next[map.index(other)] = open[k];
+        open.push_back(map.index(other));
+      }
     }
   }
   return {};

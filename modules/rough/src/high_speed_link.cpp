@@ -35,10 +35,19 @@ Way pulled(const ClearGround& ground, const Way& way)
 {
   Way tight{way.front()};
   for (std::size_t i = 0; i + 1 < way.size();) {
-    std::size_t next = i + 1;
-    for (std::size_t step = way.size() - 1 - i; step > 1; step /= 2)
-      while (next + step < way.size() && ground.isClear(way[i], way[next + step]))
-        next += step;
+    // As far as can be seen: further and further, then halving.
+    std::size_t next = i + 1, hidden = way.size();
+    for (std::size_t step = 2; i + step < way.size(); step *= 2) {
+      if (!ground.isClear(way[i], way[i + step])) {
+        hidden = i + step;
+        break;
+      }
+      next = i + step;
+    }
+    while (hidden - next > 1) {
+      const std::size_t middle = next + (hidden - next) / 2;
+      (ground.isClear(way[i], way[middle]) ? next : hidden) = middle;
+    }
     tight.push_back(way[next]);
     i = next;
   }

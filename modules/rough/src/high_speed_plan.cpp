@@ -306,10 +306,39 @@ bool HighSpeedPlan::enter()
     if (rampAlong(piece))
       return true;
   }
+  else if (sweepUp(piece))
+    return true;
   narrow_ += areaUnder(piece, std::numeric_limits<double>::infinity());
   for (const Node n : piece)
     no_entry_[map.index(n)] = 1;
   return true;
+}
+
+/// Crumbs that are not worth a walk: to them through next to nothing.
+bool HighSpeedPlan::sweepUp(const std::vector<Node>& piece)
+{
+  if (!tool_)
+    return false;
+  const double r = walker_.limits().radius, cell = material_.grid().cell;
+  const auto most = static_cast<std::size_t>(kLeastArea * r * r / (cell * cell));
+  const auto way = ground_.brush(tool_->at, piece, most);
+  std::vector<Vector2d> pulled;
+  for (std::size_t i = 0; i < way.size();) {
+    pulled.push_back(way[i]);
+    std::size_t next = i + 1;
+    while (next + 1 < way.size() && level_.isFree(way[i], way[next + 1]) &&
+           material_.standing(way[i], way[next + 1], r, most) <= most)
+      ++next;
+    i = next;
+  }
+  const std::size_t before = material_.left();
+  for (std::size_t i = 1; i < pulled.size(); ++i) {
+    material_.cut(pulled[i - 1], pulled[i], r);
+    add(pulled[i], Motion::Link);
+  }
+  if (pulled.size() > 1)
+    tool_ = Pose{pulled.back(), headingOf(pulled[pulled.size() - 2], pulled.back())};
+  return material_.left() < before;
 }
 
 bool HighSpeedPlan::boreHelix(Node centre)

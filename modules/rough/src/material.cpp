@@ -126,17 +126,19 @@ Material::ahead(const Eigen::Vector2d& a, const Eigen::Vector2d& b, double radiu
   return count;
 }
 
-bool Material::isClear(const Eigen::Vector2d& a,
-                       const Eigen::Vector2d& b,
-                       double radius) const
+std::size_t Material::standing(const Eigen::Vector2d& a,
+                               const Eigen::Vector2d& b,
+                               double radius,
+                               std::size_t most) const
 {
-  bool clear = true;
+  std::size_t count = 0;
   forCapsule(grid_, a, b, radius, [&](int row, int first, int last) {
     const unsigned char* line = &cells_[grid_.index(0, row)];
-    for (int column = first; clear && column <= last; ++column)
-      clear = line[column] == Air;
+    for (int column = first; count <= most && column <= last; ++column)
+      count += line[column] != Air;
+    return count <= most;
   });
-  return clear;
+  return count;
 }
 
 bool Material::isToCut(const Eigen::Vector2d& p, double radius) const
@@ -146,6 +148,7 @@ bool Material::isToCut(const Eigen::Vector2d& p, double radius) const
     const unsigned char* line = &cells_[grid_.index(0, row)];
     for (int column = first; !any && column <= last; ++column)
       any = line[column] == ToCut;
+    return !any;
   });
   return any;
 }

@@ -57,8 +57,17 @@ public:
   /// does not at @p a.
   std::size_t
   ahead(const Eigen::Vector2d& a, const Eigen::Vector2d& b, double radius) const;
+  /// @brief Cells of either kind that a disc meets on its way straight from @p a to
+  /// @p b; it stops counting beyond @p most.
+  std::size_t standing(const Eigen::Vector2d& a,
+                       const Eigen::Vector2d& b,
+                       double radius,
+                       std::size_t most) const;
   /// @brief Whether a disc moves straight from @p a to @p b through air alone.
-  bool isClear(const Eigen::Vector2d& a, const Eigen::Vector2d& b, double radius) const;
+  bool isClear(const Eigen::Vector2d& a, const Eigen::Vector2d& b, double radius) const
+  {
+    return standing(a, b, radius, 0) == 0;
+  }
   /// @brief Whether a disc meets something to cut at @p p.
   bool isToCut(const Eigen::Vector2d& p, double radius) const;
   /// @brief The middle of what is left to cut within @p radius of @p p; @p p itself
