@@ -19,6 +19,8 @@ constexpr double kThickestSkin = 0.15; // of the radius
 constexpr double kNear = 1.5;          // of the radius: what a start depends on
 /// A front goes on beyond so many radii of something else.
 constexpr double kInterruption = 0.3;
+constexpr double kCrumb = 0.02; // of the radius squared: not worth a walk
+constexpr double kPlace = 2;    // of the radius: what is taken together for that
 constexpr double kBanned = 0.1; // of the radius: as good as the same start
 /// Looking at so many cells costs what it costs to find a node clear.
 constexpr std::size_t kLooksPerRefresh = 64;
@@ -38,6 +40,7 @@ ClearGround::ClearGround(const Level& level, const Material& material, double si
   const double skin = std::min(grid.cell, kThickestSkin * radius);
   front_radius_ = radius - skin;
   clear_radius_ = radius - skin / 2;
+  crumb_ = kCrumb * radius * radius;
   clear_.assign(grid.size(), 0);
   seen_.assign(grid.size(), 0);
   banned_.assign(grid.size(), 0);
@@ -96,7 +99,7 @@ bool ClearGround::looksClear(const Vector2d& p) const
 
 bool ClearGround::isToCut(Node n) const
 {
-  return level_.isFree(n) && material_.isToCut(level_.map().at(n), front_radius_);
+  return level_.isFree(n) && material_.toCut(level_.map().at(n), front_radius_, 0) > 0;
 }
 
 bool ClearGround::isFront(const Front& edge)
@@ -106,6 +109,10 @@ bool ClearGround::isFront(const Front& edge)
     return false;
   // The nodes may lie so that the next one only brushes what stands there.
   if (!isToCut(n) && !isToCut(n + direction(edge.direction)))
+    return false;
+  const double cell = material_.grid().cell;
+  const auto crumb = static_cast<std::size_t>(crumb_ / (cell * cell));
+  if (material_.toCut(level_.map().at(n), kPlace * front_radius_, crumb) <= crumb)
     return false;
   const unsigned banned = banned_[level_.map().index(n)];
   return banned == 0 ||

@@ -34,6 +34,8 @@ public:
   /// @brief Radius within which something must be left for a node to be worth going to
   /// [mm]. What is further out is a skin.
   double frontRadius() const { return front_radius_; }
+  /// @brief Less to cut in one place is a crumb that is not worth a walk [mm2].
+  double crumb() const { return crumb_; }
 
   bool isClear(Node n);
   /// @brief Whether the tool would cut beyond the edge of the clear ground, and no
@@ -66,7 +68,7 @@ private:
 
   const Level& level_;
   const Material& material_;
-  double side_, clear_radius_, front_radius_;
+  double side_, clear_radius_, front_radius_, crumb_;
   std::vector<unsigned char> clear_; // known to be
   std::vector<unsigned> seen_, banned_;
   std::vector<std::size_t> from_;

@@ -26,8 +26,7 @@ constexpr double kFinest = 1.0 / 24; // cell of the simulation
 constexpr double kLeastHelix = 0.25; // its radius
 constexpr double kMostHelix = 0.75;
 constexpr double kShortestTrack = 0.5; // of a ramp forth and back
-constexpr double kLeastArea = 0.02;    // of a walk, in squares of the radius
-constexpr double kFairArea = 0.2;      // of one that need not be bettered
+constexpr double kFairArea = 0.2;      // in squares; of a walk that need not be bettered
 /// The widest cut that a walk can be steered by, of the diameter.
 constexpr double kWidest = 0.85;
 
@@ -149,7 +148,7 @@ bool HighSpeedPlan::cutFrom(const Front& front, std::vector<Node> way, bool link
   const Vector2d to = material_.middleToCut(start.at, r + 2 * level_.map().grid().cell);
   start.heading = headingOf(start.at, to) + settings_.side * M_PI / 2;
   const Walk walk = bestWalk(start);
-  if (walk.area < kLeastArea * r * r) {
+  if (walk.area < ground_.crumb()) {
     if (first.at != front.at || first.direction != front.direction)
       ground_.ban(first.beyond());
     return false;
@@ -300,7 +299,7 @@ bool HighSpeedPlan::enter()
       }
     }
   const double r = walker_.limits().radius;
-  if (areaUnder(piece, kLeastArea * r * r) >= kLeastArea * r * r) {
+  if (areaUnder(piece, ground_.crumb()) >= ground_.crumb()) {
     if (room >= kLeastHelix * r && boreHelix(widest))
       return true;
     if (rampAlong(piece))
@@ -320,7 +319,7 @@ bool HighSpeedPlan::sweepUp(const std::vector<Node>& piece)
   if (!tool_)
     return false;
   const double r = walker_.limits().radius, cell = material_.grid().cell;
-  const auto most = static_cast<std::size_t>(kLeastArea * r * r / (cell * cell));
+  const auto most = static_cast<std::size_t>(ground_.crumb() / (cell * cell));
   const auto way = ground_.brush(tool_->at, piece, most);
   std::vector<Vector2d> pulled;
   for (std::size_t i = 0; i < way.size();) {

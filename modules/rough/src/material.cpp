@@ -141,16 +141,17 @@ std::size_t Material::standing(const Eigen::Vector2d& a,
   return count;
 }
 
-bool Material::isToCut(const Eigen::Vector2d& p, double radius) const
+std::size_t
+Material::toCut(const Eigen::Vector2d& p, double radius, std::size_t most) const
 {
-  bool any = false;
+  std::size_t count = 0;
   forCapsule(grid_, p, p, radius, [&](int row, int first, int last) {
     const unsigned char* line = &cells_[grid_.index(0, row)];
-    for (int column = first; !any && column <= last; ++column)
-      any = line[column] == ToCut;
-    return !any;
+    for (int column = first; count <= most && column <= last; ++column)
+      count += line[column] == ToCut;
+    return count <= most;
   });
-  return any;
+  return count;
 }
 
 Eigen::Vector2d Material::middleToCut(const Eigen::Vector2d& p, double radius) const

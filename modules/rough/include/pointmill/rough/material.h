@@ -68,8 +68,8 @@ public:
   {
     return standing(a, b, radius, 0) == 0;
   }
-  /// @brief Whether a disc meets something to cut at @p p.
-  bool isToCut(const Eigen::Vector2d& p, double radius) const;
+  /// @brief Cells to cut that a disc meets at @p p; it stops counting beyond @p most.
+  std::size_t toCut(const Eigen::Vector2d& p, double radius, std::size_t most) const;
   /// @brief The middle of what is left to cut within @p radius of @p p; @p p itself
   /// where there is nothing.
   Eigen::Vector2d middleToCut(const Eigen::Vector2d& p, double radius) const;
