@@ -193,17 +193,19 @@ std::optional<Front> ClearGround::nearest(const Vector2d& from, std::vector<Node
 
 std::vector<Vector2d> ClearGround::brush(const Vector2d& from,
                                          const std::vector<Node>& to,
-                                         std::size_t most) const
+                                         std::size_t most)
 {
-  // From the goal, so that the way comes out forwards.
+  // From the goals, so that the way comes out forwards.
   const LevelMap& map = level_.map();
   const CellGrid& grid = map.grid();
-  const auto open_between = [&](const Vector2d& a, const Vector2d& b) {
-    return level_.isFree(a, b) && material_.standing(a, b, clear_radius_, most) <= most;
+  const auto is_open = [&](Node n) {
+    return isClear(n) || (level_.isFree(n) &&
+                          material_.standing(
+                              map.at(n), map.at(n), clear_radius_, most) <= most);
   };
   std::vector<std::size_t> next(grid.size(), grid.size()), open;
   for (const Node n : to)
-    if (open_between(map.at(n), map.at(n))) {
+    if (is_open(n)) {
       open.push_back(map.index(n));
       next[open.back()] = open.back();
     }
@@ -212,7 +214,7 @@ std::vector<Vector2d> ClearGround::brush(const Vector2d& from,
   };
   for (std::size_t k = 0; k < open.size(); ++k) {
     const Node n = node(open[k]);
-    if ((map.at(n) - from).norm() < 2 * grid.cell && open_between(from, map.at(n))) {
+    if ((map.at(n) - from).norm() < 2 * grid.cell && level_.isFree(from, map.at(n))) {
       std::vector<Vector2d> way{from};
       for (std::size_t i = open[k];; i = next[i]) {
         way.push_back(map.at(node(i)));
@@ -223,7 +225,7 @@ std::vector<Vector2d> ClearGround::brush(const Vector2d& from,
     for (int d = 0; d < 4; ++d) {
       const Node other = n + direction(d);
       if (map.has(other) && next[map.index(other)] == grid.size() &&
-          level_.isFree(other) && open_between(map.at(n), map.at(other))) {
+          is_open(other)) {
         next[map.index(other)] = open[k];
         open.push_back(map.index(other));
       }

@@ -288,6 +288,11 @@ bool HighSpeedPlan::enter()
   if (room < 0)
     return false;
   const Node widest = middleOf(open, room - map.grid().cell);
+  std::vector<Node> all;
+  for (int row = 0; row < map.grid().rows; ++row)
+    for (int column = 0; column < map.grid().columns; ++column)
+      if (open[map.index({column, row})])
+        all.push_back({column, row});
   std::vector<Node> piece{widest};
   open[map.index(widest)] = 0;
   for (std::size_t k = 0; k < piece.size(); ++k)
@@ -305,7 +310,7 @@ bool HighSpeedPlan::enter()
     if (rampAlong(piece))
       return true;
   }
-  else if (sweepUp(piece))
+  else if (sweepUp(all))
     return true;
   narrow_ += areaUnder(piece, std::numeric_limits<double>::infinity());
   for (const Node n : piece)
@@ -313,14 +318,14 @@ bool HighSpeedPlan::enter()
   return true;
 }
 
-/// Crumbs that are not worth a walk: to them through next to nothing.
-bool HighSpeedPlan::sweepUp(const std::vector<Node>& piece)
+/// The nearest crumb that is not worth a walk: to it through next to nothing.
+bool HighSpeedPlan::sweepUp(const std::vector<Node>& places)
 {
   if (!tool_)
     return false;
   const double r = walker_.limits().radius, cell = material_.grid().cell;
   const auto most = static_cast<std::size_t>(ground_.crumb() / (cell * cell));
-  const auto way = ground_.brush(tool_->at, piece, most);
+  const auto way = ground_.brush(tool_->at, places, most);
   std::vector<Vector2d> pulled;
   for (std::size_t i = 0; i < way.size();) {
     pulled.push_back(way[i]);

@@ -32,7 +32,7 @@ private:
   void follow(const Walk& walk);
   bool enter();
   Node middleOf(const std::vector<unsigned char>& open, double room) const;
-  bool sweepUp(const std::vector<Node>& piece);
+  bool sweepUp(const std::vector<Node>& places);
   bool boreHelix(Node centre);
   bool rampAlong(const std::vector<Node>& piece);
   void begin();
