@@ -3,6 +3,7 @@
 #pragma once
 
 #include <pointmill/rough/grid_roughing.h>
+#include <pointmill/rough/high_speed_roughing.h>
 #include <pointmill/rough/offset_roughing.h>
 #include <pointmill/rough/spiral_roughing.h>
 #include <pointmill/rough/zigzag_roughing.h>
@@ -29,6 +30,7 @@ inline constexpr Strategy kStrategies[] = {
     {"grid", "grid", make<pointmill::GridRoughing>},
     {"zigzag", "zig-zag", make<pointmill::ZigZagRoughing>},
     {"spiral", "spiral", make<pointmill::SpiralRoughing>},
+    {"high-speed", "high-speed", make<pointmill::HighSpeedRoughing>},
     {"offset", "contour-parallel", make<pointmill::OffsetRoughing>},
 };
 

@@ -3,6 +3,7 @@
 // What the roughing operations cut, from the big tool to the skins on the walls.
 #include <pointmill/mill/mill_job.h>
 #include <pointmill/rough/grid_roughing.h>
+#include <pointmill/rough/high_speed_roughing.h>
 #include <pointmill/rough/offset_roughing.h>
 #include <pointmill/rough/spiral_roughing.h>
 #include <pointmill/rough/waterline_roughing.h>
@@ -31,6 +32,8 @@ std::unique_ptr<LevelRoughing> strategyOf(RoughingStrategy strategy)
     return std::make_unique<GridRoughing>();
   case RoughingStrategy::Spiral:
     return std::make_unique<SpiralRoughing>();
+  case RoughingStrategy::HighSpeed:
+    return std::make_unique<HighSpeedRoughing>();
   case RoughingStrategy::Offset:
     return std::make_unique<OffsetRoughing>();
   default:

@@ -8,11 +8,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 
 namespace pointmill {
 
 /// @brief Calls take(row, first, last) for the cells whose centres lie within @p radius
-/// of the segment from @p a to @p b: one stretch in each row at most.
+/// of the segment from @p a to @p b: one stretch in each row at most. A take() that
+/// returns a bool ends it with false.
 template <typename Take>
 void forCapsule(const CellGrid& grid,
                 const Eigen::Vector2d& a,
@@ -60,7 +62,13 @@ void forCapsule(const CellGrid& grid,
       continue;
     const int from = std::max(0, up(left, grid.x0));
     const int to = std::min(grid.columns - 1, down(right, grid.x0));
-    if (from <= to)
+    if (from > to)
+      continue;
+    if constexpr (std::is_same_v<decltype(take(row, from, to)), bool>) {
+      if (!take(row, from, to))
+        return;
+    }
+    else
       take(row, from, to);
   }
 }

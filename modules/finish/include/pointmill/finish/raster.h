@@ -3,6 +3,7 @@
 #pragma once
 
 #include <pointmill/common/keep_out.h>
+#include <pointmill/common/milling_mode.h>
 #include <pointmill/common/point_types.h>
 #include <pointmill/common/tool.h>
 #include <pointmill/finish/boundary.h>
@@ -26,11 +27,6 @@ enum class RasterDirection { AlongX, AlongY, Auto };
 
 /// @brief How rows follow each other: forth and back in turn, or all the same way.
 enum class RasterPattern { ZigZag, OneWay };
-
-/// @brief On which side of a tool that turns clockwise (M3, seen from above) the
-/// material of the next rows stands, looking along the feed. Climb: on the right, the
-/// edges come down through the chip from its thick end. Conventional: on the left.
-enum class MillingMode { Climb, Conventional };
 
 /// @brief Passes of a raster and what they leave.
 struct RasterPasses {

@@ -7,6 +7,7 @@
 #include <Eigen/Core>
 
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace pointmill {
@@ -40,10 +41,40 @@ public:
   /// @brief What is left is meant to stand.
   void leaveRest() { left_ = 0; }
 
+  /// @brief Cells that were cut, and what they had been.
+  using Log = std::vector<std::pair<std::size_t, Cell>>;
+
   /// @brief Moves a disc of @p radius [mm] straight from @p a to @p b: cells whose
   /// centres it passes over are air.
+  /// @param log what it took is added, or null
   /// @return how many cells it took, of either kind
-  std::size_t cut(const Eigen::Vector2d& a, const Eigen::Vector2d& b, double radius);
+  std::size_t cut(const Eigen::Vector2d& a,
+                  const Eigen::Vector2d& b,
+                  double radius,
+                  Log* log = nullptr);
+  /// @brief Undoes what @p log holds beyond its first @p keep cells, and forgets it.
+  void restore(Log& log, std::size_t keep);
+
+  /// @brief Cells of either kind that a disc of @p radius [mm] meets at @p b which it
+  /// does not at @p a.
+  std::size_t
+  ahead(const Eigen::Vector2d& a, const Eigen::Vector2d& b, double radius) const;
+  /// @brief Cells of either kind that a disc meets on its way straight from @p a to
+  /// @p b; it stops counting beyond @p most.
+  std::size_t standing(const Eigen::Vector2d& a,
+                       const Eigen::Vector2d& b,
+                       double radius,
+                       std::size_t most) const;
+  /// @brief Whether a disc moves straight from @p a to @p b through air alone.
+  bool isClear(const Eigen::Vector2d& a, const Eigen::Vector2d& b, double radius) const
+  {
+    return standing(a, b, radius, 0) == 0;
+  }
+  /// @brief Cells to cut that a disc meets at @p p; it stops counting beyond @p most.
+  std::size_t toCut(const Eigen::Vector2d& p, double radius, std::size_t most) const;
+  /// @brief The middle of what is left to cut within @p radius of @p p; @p p itself
+  /// where there is nothing.
+  Eigen::Vector2d middleToCut(const Eigen::Vector2d& p, double radius) const;
 
   /// @brief Mills a path: cells that are under the tool's end for certain are air.
   void cut(const LevelPath& path);
@@ -54,7 +85,8 @@ public:
   /// @brief Set for the nodes at which the tool would cut something that is left to
   /// cut.
   std::vector<unsigned char> nodesToCut() const { return nodesToCut(certainRadius()); }
-  /// @brief The same for something within @p radius [mm].
+  /// @brief Set for the nodes within @p radius [mm] of the centre of a cell that is
+  /// left to cut.
   std::vector<unsigned char> nodesToCut(double radius) const;
 
 private:

@@ -1,0 +1,304 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the PointMill authors
+#include "clear_ground.h"
+
+#include "border.h"
+
+#include <pointmill/slice/distance_field.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace pointmill {
+namespace {
+
+using Eigen::Vector2d;
+
+constexpr double kThickestSkin = 0.15; // of the radius
+constexpr double kNear = 1.5;          // of the radius: what a start depends on
+/// A front goes on beyond so many radii of something else.
+constexpr double kInterruption = 0.3;
+constexpr double kCrumb = 0.02; // of the radius squared: not worth a walk
+constexpr double kPlace = 2;    // of the radius: what is taken together for that
+constexpr double kBanned = 0.1; // of the radius: as good as the same start
+/// Looking at so many cells costs what it costs to find a node clear.
+constexpr std::size_t kLooksPerRefresh = 64;
+
+} // namespace
+
+Node Front::beyond() const
+{
+  return at + pointmill::direction(direction);
+}
+
+ClearGround::ClearGround(const Level& level, const Material& material, double side)
+    : level_(level), material_(material), side_(side)
+{
+  const CellGrid& grid = level.map().grid();
+  const double radius = level.map().endRadius();
+  const double skin = std::min(grid.cell, kThickestSkin * radius);
+  front_radius_ = radius - skin;
+  clear_radius_ = radius - skin / 2;
+  crumb_ = kCrumb * radius * radius;
+  clear_.assign(grid.size(), 0);
+  seen_.assign(grid.size(), 0);
+  banned_.assign(grid.size(), 0);
+  from_.assign(grid.size(), 0);
+  refresh();
+}
+
+/// Far from all that stands everything is clear.
+void ClearGround::refresh()
+{
+  const CellGrid &grid = level_.map().grid(), &cells = material_.grid();
+  const int parts = cells.columns / grid.columns;
+  std::vector<unsigned char> stands(grid.size(), 0);
+  for (int row = 0; row < cells.rows; ++row)
+    for (int column = 0; column < cells.columns; ++column)
+      if (material_.at(column, row) != Material::Air)
+        stands[grid.index(column / parts, row / parts)] = 1;
+  const auto away = distanceField(stands, grid.columns, grid.rows);
+  for (int row = 0; row < grid.rows; ++row)
+    for (int column = 0; column < grid.columns; ++column) {
+      const std::size_t i = grid.index(column, row);
+      if (level_.isFree(Node{column, row}) &&
+          away[i] * grid.cell > clear_radius_ + grid.cell)
+        clear_[i] = 1;
+    }
+  looked_ = 0;
+}
+
+bool ClearGround::isClear(Node n)
+{
+  if (!level_.isFree(n))
+    return false;
+  unsigned char& known = clear_[level_.map().index(n)];
+  if (!known) {
+    const Vector2d p = level_.map().at(n);
+    known = looksClear(p) && material_.isClear(p, p, clear_radius_);
+    looked_ += known;
+    if (looked_ > material_.grid().size() / kLooksPerRefresh)
+      refresh();
+  }
+  return known;
+}
+
+/// A few places first: most of what is not clear shows there.
+bool ClearGround::looksClear(const Vector2d& p) const
+{
+  constexpr int kPlaces = 8;
+  bool clear = material_.at(p) == Material::Air;
+  for (int i = 0; clear && i < kPlaces; ++i) {
+    const double angle = 2 * M_PI * i / kPlaces;
+    const Vector2d rim(std::cos(angle), std::sin(angle));
+    clear = material_.at(Vector2d(p + 0.95 * clear_radius_ * rim)) == Material::Air;
+  }
+  return clear;
+}
+
+bool ClearGround::isToCut(Node n) const
+{
+  return level_.isFree(n) && material_.toCut(level_.map().at(n), front_radius_, 0) > 0;
+}
+
+bool ClearGround::isFront(const Front& edge)
+{
+  const Node n = edge.beyond();
+  if (!level_.isFree(n) || isClear(n))
+    return false;
+  // The nodes may lie so that the next one only brushes what stands there.
+  if (!isToCut(n) && !isToCut(n + direction(edge.direction)))
+    return false;
+  const double cell = material_.grid().cell;
+  const auto crumb = static_cast<std::size_t>(crumb_ / (cell * cell));
+  if (material_.toCut(level_.map().at(n), kPlace * front_radius_, crumb) <= crumb)
+    return false;
+  const unsigned banned = banned_[level_.map().index(n)];
+  return banned == 0 ||
+         banned !=
+             1 + material_.ahead({1e9, 1e9}, level_.map().at(n), kNear * front_radius_);
+}
+
+bool ClearGround::isClear(const Vector2d& a, const Vector2d& b) const
+{
+  return level_.isFree(a, b) && material_.isClear(a, b, clear_radius_);
+}
+
+void ClearGround::ban(Node n)
+{
+  const CellGrid& grid = level_.map().grid();
+  const int reach = static_cast<int>(kBanned * front_radius_ / grid.cell);
+  for (int row = n.row - reach; row <= n.row + reach; ++row)
+    for (int column = n.column - reach; column <= n.column + reach; ++column)
+      if (grid.has(column, row))
+        banned_[grid.index(column, row)] =
+            1 + static_cast<unsigned>(material_.ahead(
+                    {1e9, 1e9}, level_.map().at({column, row}), kNear * front_radius_));
+}
+
+std::optional<Front> ClearGround::frontAt(Node n)
+{
+  for (int d = 0; d < 4; ++d)
+    if (isFront({n, d}))
+      return Front{n, d};
+  return {};
+}
+
+std::optional<Front> ClearGround::nearest(const Vector2d& from, std::vector<Node>& way)
+{
+  const CellGrid& grid = level_.map().grid();
+  ++search_;
+  std::vector<std::size_t> open;
+  const auto push = [&](Node n, std::size_t before) {
+    const std::size_t i = grid.index(n.column, n.row);
+    seen_[i] = search_;
+    from_[i] = before;
+    open.push_back(i);
+  };
+  constexpr auto kStart = std::numeric_limits<std::size_t>::max();
+  const int column = grid.columnOf(from.x()), row = grid.rowOf(from.y());
+  constexpr int kAround = 2;
+  for (int r = row - kAround; r <= row + kAround; ++r)
+    for (int c = column - kAround; c <= column + kAround; ++c)
+      if (isClear(Node{c, r}) && isClear(from, level_.map().at({c, r})))
+        push({c, r}, kStart);
+  std::sort(open.begin(), open.end(), [&](std::size_t a, std::size_t b) {
+    const auto away = [&](std::size_t i) {
+      const Node n{int(i % grid.columns), int(i / grid.columns)};
+      return (level_.map().at(n) - from).squaredNorm();
+    };
+    const double da = away(a), db = away(b);
+    return da != db ? da < db : a < b;
+  });
+  for (std::size_t k = 0; k < open.size(); ++k) {
+    const std::size_t i = open[k];
+    const Node n{int(i % grid.columns), int(i / grid.columns)};
+    if (const auto front = frontAt(n)) {
+      way.clear();
+      for (std::size_t j = i; j != kStart; j = from_[j])
+        way.push_back({int(j % grid.columns), int(j / grid.columns)});
+      std::reverse(way.begin(), way.end());
+      return front;
+    }
+    for (int d = 0; d < 4; ++d) {
+      const Node next = n + direction(d);
+      if (grid.has(next.column, next.row) &&
+          seen_[grid.index(next.column, next.row)] != search_ && isClear(next))
+        push(next, i);
+    }
+  }
+  return {};
+}
+
+std::vector<Vector2d> ClearGround::brush(const Vector2d& from,
+                                         const std::vector<Node>& to,
+                                         std::size_t most)
+{
+  // From the goals, so that the way comes out forwards.
+  const LevelMap& map = level_.map();
+  const CellGrid& grid = map.grid();
+  const auto is_open = [&](Node n) {
+    return isClear(n) || (level_.isFree(n) &&
+                          material_.standing(
+                              map.at(n), map.at(n), clear_radius_, most) <= most);
+  };
+  std::vector<std::size_t> next(grid.size(), grid.size()), open;
+  for (const Node n : to)
+    if (is_open(n)) {
+      open.push_back(map.index(n));
+      next[open.back()] = open.back();
+    }
+  const auto node = [&](std::size_t i) {
+    return Node{int(i % grid.columns), int(i / grid.columns)};
+  };
+  for (std::size_t k = 0; k < open.size(); ++k) {
+    const Node n = node(open[k]);
+    if ((map.at(n) - from).norm() < 2 * grid.cell && level_.isFree(from, map.at(n))) {
+      std::vector<Vector2d> way{from};
+      for (std::size_t i = open[k];; i = next[i]) {
+        way.push_back(map.at(node(i)));
+        if (next[i] == i)
+          return way;
+      }
+    }
+    for (int d = 0; d < 4; ++d) {
+      const Node other = n + direction(d);
+      if (map.has(other) && next[map.index(other)] == grid.size() &&
+          is_open(other)) {
+        next[map.index(other)] = open[k];
+        open.push_back(map.index(other));
+      }
+    }
+  }
+  return {};
+}
+
+std::optional<Front> ClearGround::anywhere(const Vector2d& from)
+{
+  const CellGrid& grid = level_.map().grid();
+  const auto cuts = material_.nodesToCut(front_radius_);
+  std::optional<Front> best;
+  double least = std::numeric_limits<double>::infinity();
+  for (int row = 0; row < grid.rows; ++row)
+    for (int column = 0; column < grid.columns; ++column) {
+      const Node n{column, row};
+      if (!cuts[grid.index(column, row)] || !level_.isFree(n))
+        continue;
+      for (int d = 0; d < 4; ++d) { // from the next node or the one after it
+        Front edge{n, d};
+        for (int back = 1; back <= 2; ++back) {
+          edge.at = edge.at + direction(d + 2);
+          const double away = (level_.map().at(edge.at) - from).squaredNorm();
+          if (away < least && isClear(edge.at) && isFront(edge)) {
+            best = edge;
+            least = away;
+          }
+        }
+      }
+    }
+  return best;
+}
+
+Front ClearGround::beginning(const Front& front, std::vector<Node>& way)
+{
+  // Backwards along the edge of the clear ground, the material on the other side.
+  const CellGrid& grid = level_.map().grid();
+  const int left = side_ > 0 ? 1 : 3;
+  Front at = front, begin = front;
+  const std::size_t most = 4 * grid.size(), length = way.size();
+  std::size_t kept = length;
+  double gap = 0;
+  for (std::size_t i = 0; i < most; ++i) {
+    const int forward = (at.direction + 4 - left) & 3;
+    const Node ahead = at.at + direction(forward);
+    const Node corner = ahead + direction(at.direction);
+    if (!isClear(ahead))
+      at.direction = forward;
+    else if (!isClear(corner))
+      at.at = ahead;
+    else {
+      way.push_back(ahead);
+      at.at = corner;
+      at.direction = (forward + 2) & 3;
+    }
+    if (way.empty() || way.back() != at.at)
+      way.push_back(at.at);
+    if (at.at == front.at && at.direction == front.direction) {
+      way.resize(length); // round in a ring
+      return front;
+    }
+    gap += grid.cell;
+    if (isFront(at)) {
+      begin = at;
+      kept = way.size();
+      gap = 0;
+    }
+    if (gap > kInterruption * front_radius_ + 2 * grid.cell)
+      break;
+  }
+  way.resize(kept);
+  return begin;
+}
+
+} // namespace pointmill

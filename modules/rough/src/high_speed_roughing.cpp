@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the PointMill authors
+#include "high_speed_plan.h"
+
+#include <pointmill/rough/high_speed_roughing.h>
+#include <pointmill/slice/z_slices.h>
+
+#include <cmath>
+
+namespace pointmill {
+
+void HighSpeedRoughing::checkParameters() const
+{
+  LevelRoughing::checkParameters();
+  validateParameters(*this, getName());
+}
+
+std::vector<LevelPath> HighSpeedRoughing::clearLevel(const Level& level,
+                                                     Report& figures) const
+{
+  const double step_down = getStepDown() > 0
+                               ? getStepDown()
+                               : ZSlices::pitchForDiameter(getTool().endDiameter());
+  HighSpeedPlan plan(level,
+                     {mode_ == MillingMode::Climb ? 1.0 : -1.0,
+                      std::tan(ramp_angle_ * M_PI / 180.0),
+                      step_down});
+  auto paths = plan.clear();
+  plan.report(figures);
+  return paths;
+}
+
+std::vector<LevelPath> HighSpeedRoughing::clearRest(const Level&, Material&) const
+{
+  return {}; // what is left is narrow or a skin, and is reported
+}
+
+} // namespace pointmill
