@@ -191,17 +191,16 @@ std::optional<Front> ClearGround::nearest(const Vector2d& from, std::vector<Node
   return {};
 }
 
-std::vector<Vector2d> ClearGround::brush(const Vector2d& from,
-                                         const std::vector<Node>& to,
-                                         std::size_t most)
+std::vector<Vector2d>
+ClearGround::brush(const Vector2d& from, const std::vector<Node>& to, std::size_t most)
 {
   // From the goals, so that the way comes out forwards.
   const LevelMap& map = level_.map();
   const CellGrid& grid = map.grid();
   const auto is_open = [&](Node n) {
-    return isClear(n) || (level_.isFree(n) &&
-                          material_.standing(
-                              map.at(n), map.at(n), clear_radius_, most) <= most);
+    return isClear(n) ||
+           (level_.isFree(n) &&
+            material_.standing(map.at(n), map.at(n), clear_radius_, most) <= most);
   };
   std::vector<std::size_t> next(grid.size(), grid.size()), open;
   for (const Node n : to)
@@ -224,8 +223,7 @@ std::vector<Vector2d> ClearGround::brush(const Vector2d& from,
     }
     for (int d = 0; d < 4; ++d) {
       const Node other = n + direction(d);
-      if (map.has(other) && next[map.index(other)] == grid.size() &&
-          is_open(other)) {
+      if (map.has(other) && next[map.index(other)] == grid.size() && is_open(other)) {
         next[map.index(other)] = open[k];
         open.push_back(map.index(other));
       }

@@ -48,11 +48,10 @@ public:
   /// @brief The nearest front over clear ground from @p from.
   /// @param way the nodes that lead there
   std::optional<Front> nearest(const Eigen::Vector2d& from, std::vector<Node>& way);
-  /// @brief The shortest way from @p from to the nearest of the nodes of @p to that takes no
-  /// more than @p most cells at a time; empty where there is none.
-  std::vector<Eigen::Vector2d> brush(const Eigen::Vector2d& from,
-                                     const std::vector<Node>& to,
-                                     std::size_t most);
+  /// @brief The shortest way from @p from to the nearest of the nodes of @p to that
+  /// takes no more than @p most cells at a time; empty where there is none.
+  std::vector<Eigen::Vector2d>
+  brush(const Eigen::Vector2d& from, const std::vector<Node>& to, std::size_t most);
   /// @brief The front nearest to @p from, wherever it is.
   std::optional<Front> anywhere(const Eigen::Vector2d& from);
   /// @brief Where the front that @p front lies on begins, for a tool that is to cut

@@ -5,6 +5,7 @@
 #include "border.h"
 #include "capsule.h"
 #include "high_speed_link.h"
+#include "stretches.h"
 
 #include <algorithm>
 #include <cmath>
@@ -26,7 +27,9 @@ constexpr double kFinest = 1.0 / 24; // cell of the simulation
 constexpr double kLeastHelix = 0.25; // its radius
 constexpr double kMostHelix = 0.75;
 constexpr double kShortestTrack = 0.5; // of a ramp forth and back
-constexpr double kFairArea = 0.2;      // in squares; of a walk that need not be bettered
+/// A skin is skimmed off from this thickness on, of a node's cell.
+constexpr double kThinnest = 0.5;
+constexpr double kFairArea = 0.2; // in squares; of a walk that need not be bettered
 /// The widest cut that a walk can be steered by, of the diameter.
 constexpr double kWidest = 0.85;
 
@@ -77,6 +80,21 @@ simplified(const Level& level, const std::vector<Vector2d>& points, double toler
   return kept;
 }
 
+/// The way without the places that a straight move can leave out.
+template <typename Open>
+std::vector<Vector2d> tightened(const std::vector<Vector2d>& way, Open&& open)
+{
+  std::vector<Vector2d> tight{way.front()};
+  for (std::size_t i = 0; i + 1 < way.size();) {
+    std::size_t next = i + 1;
+    while (next + 1 < way.size() && open(way[i], way[next + 1]))
+      ++next;
+    tight.push_back(way[next]);
+    i = next;
+  }
+  return tight;
+}
+
 } // namespace
 
 HighSpeedPlan::HighSpeedPlan(const Level& level, const HighSpeedSettings& settings)
@@ -106,6 +124,7 @@ std::vector<LevelPath> HighSpeedPlan::clear()
     if (!enter())
       break;
   }
+  skim();
   return std::move(paths_);
 }
 
@@ -326,15 +345,11 @@ bool HighSpeedPlan::sweepUp(const std::vector<Node>& places)
   const double r = walker_.limits().radius, cell = material_.grid().cell;
   const auto most = static_cast<std::size_t>(ground_.crumb() / (cell * cell));
   const auto way = ground_.brush(tool_->at, places, most);
-  std::vector<Vector2d> pulled;
-  for (std::size_t i = 0; i < way.size();) {
-    pulled.push_back(way[i]);
-    std::size_t next = i + 1;
-    while (next + 1 < way.size() && level_.isFree(way[i], way[next + 1]) &&
-           material_.standing(way[i], way[next + 1], r, most) <= most)
-      ++next;
-    i = next;
-  }
+  if (way.empty())
+    return false;
+  const auto pulled = tightened(way, [&](const Vector2d& a, const Vector2d& b) {
+    return level_.isFree(a, b) && material_.standing(a, b, r, most) <= most;
+  });
   const std::size_t before = material_.left();
   for (std::size_t i = 1; i < pulled.size(); ++i) {
     material_.cut(pulled[i - 1], pulled[i], r);
@@ -343,6 +358,78 @@ bool HighSpeedPlan::sweepUp(const std::vector<Node>& places)
   if (pulled.size() > 1)
     tool_ = Pose{pulled.back(), headingOf(pulled[pulled.size() - 2], pulled.back())};
   return material_.left() < before;
+}
+
+/// Along the walls where a skin is left.
+void HighSpeedPlan::skim()
+{
+  const LevelMap& map = level_.map();
+  const double r = walker_.limits().radius;
+  const auto cuts = material_.nodesToCut(
+      r - std::max(kThinnest * map.grid().cell, material_.grid().cell));
+  for (auto& loop : borderLoops(level_)) {
+    if (settings_.side > 0) // their walls are on the left
+      std::reverse(loop.begin(), loop.end());
+    neededStretches(
+        0,
+        static_cast<int>(loop.size()),
+        static_cast<int>(r / map.grid().cell),
+        [&](int i) { return cuts[map.index(loop[i])] != 0; },
+        [&](int first, int last) {
+          std::vector<Vector2d> wall;
+          for (int i = std::max(0, first - 1);
+               i <= std::min(last + 1, static_cast<int>(loop.size()) - 1);
+               ++i)
+            wall.push_back(map.at(loop[i]));
+          if (wall.size() > 1)
+            skimAlong(wall);
+        });
+  }
+}
+
+bool HighSpeedPlan::skimAlong(const std::vector<Vector2d>& wall)
+{
+  const double r = walker_.limits().radius;
+  const double cell2 = material_.grid().cell * material_.grid().cell;
+  const auto way = tightened(
+      wall, [&](const Vector2d& a, const Vector2d& b) { return level_.isFree(a, b); });
+  const auto crumb = static_cast<std::size_t>(ground_.crumb() / cell2);
+  Material::Log log;
+  bool thin = material_.standing(way[0], way[0], r, crumb) <= crumb;
+  for (std::size_t i = 1; i < way.size() && thin; ++i) {
+    const double most = walker_.limits().width * (way[i] - way[i - 1]).norm();
+    const auto taken = material_.cut(way[i - 1], way[i], r, &log);
+    thin = static_cast<double>(taken) * cell2 <= most / 2 + ground_.crumb();
+  }
+  if (!thin) {
+    material_.restore(log, 0);
+    return false;
+  }
+  material_.restore(log, 0);
+  const LevelMap& map = level_.map();
+  const Node first{map.grid().columnOf(way[0].x()), map.grid().rowOf(way[0].y())};
+  std::vector<Vector2d> link;
+  if (tool_)
+    link = ground_.brush(tool_->at, {first}, crumb);
+  if (link.empty()) {
+    begin();
+    add(way[0], Motion::Cut);
+  }
+  else {
+    link = tightened(link, [&](const Vector2d& a, const Vector2d& b) {
+      return level_.isFree(a, b) && material_.standing(a, b, r, crumb) <= crumb;
+    });
+    for (std::size_t i = 1; i < link.size(); ++i) {
+      material_.cut(link[i - 1], link[i], r);
+      add(link[i], Motion::Link);
+    }
+  }
+  for (std::size_t i = 1; i < way.size(); ++i) {
+    material_.cut(way[i - 1], way[i], r);
+    add(way[i], Motion::Cut);
+  }
+  tool_ = Pose{way.back(), headingOf(way[way.size() - 2], way.back())};
+  return true;
 }
 
 bool HighSpeedPlan::boreHelix(Node centre)
@@ -406,14 +493,8 @@ bool HighSpeedPlan::rampAlong(const std::vector<Node>& piece)
     i = from[i];
     track.push_back(map.at({int(i % map.grid().columns), int(i / map.grid().columns)}));
   }
-  std::vector<Vector2d> pulled{track.front()};
-  for (std::size_t i = 0; i + 1 < track.size();) {
-    std::size_t next = i + 1;
-    while (next + 1 < track.size() && level_.isFree(track[i], track[next + 1]))
-      ++next;
-    pulled.push_back(track[next]);
-    i = next;
-  }
+  const auto pulled = tightened(
+      track, [&](const Vector2d& a, const Vector2d& b) { return level_.isFree(a, b); });
   double length = 0;
   for (std::size_t i = 1; i < pulled.size(); ++i)
     length += (pulled[i] - pulled[i - 1]).norm();

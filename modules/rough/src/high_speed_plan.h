@@ -33,6 +33,8 @@ private:
   bool enter();
   Node middleOf(const std::vector<unsigned char>& open, double room) const;
   bool sweepUp(const std::vector<Node>& places);
+  void skim();
+  bool skimAlong(const std::vector<Eigen::Vector2d>& wall);
   bool boreHelix(Node centre);
   bool rampAlong(const std::vector<Node>& piece);
   void begin();
