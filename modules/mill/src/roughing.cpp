@@ -20,6 +20,8 @@ namespace {
 constexpr double kRestThickness = 0.4, kRestWidth = 0.6;
 /// Skins higher than this are taken down from the walls by steps of it [diameters].
 constexpr double kWallStep = 0.5;
+/// Thinner skins are left [diameters].
+constexpr double kMinSkin = 0.02;
 /// Of the allowance stays after that: the passes beside meet no skin then.
 constexpr double kWallAllowance = 0.75;
 /// Radius of the arcs that lead into and out of passes [diameters].
@@ -94,10 +96,10 @@ void MillJob::planRoughing()
 void MillJob::planRest(const ToolJob& job, const std::string& name, int colour)
 {
   const double end = job.tool.endDiameter();
-  const auto roughing = strategyOf(options_.roughing);
-  roughing->setStepOver(kRoughStepOver * end);
-  roughing->setRestLimits(kRestThickness * end, kRestWidth * end);
-  planLevels(*roughing, job, name, colour);
+  OffsetRoughing rest; // what is left are small places: contours are shortest there
+  rest.setStepOver(kRoughStepOver * end);
+  rest.setRestLimits(kRestThickness * end, kRestWidth * end);
+  planLevels(rest, job, name, colour);
 }
 
 void MillJob::planWalls(ToolJob job, const std::string& name, int colour)
@@ -107,7 +109,8 @@ void MillJob::planWalls(ToolJob job, const std::string& name, int colour)
   WaterlineRoughing walls;
   walls.setStepDown(kWallStep * end);
   walls.setStepOver(kRoughStepOver * end);
-  walls.setRestLimits(kWallStep * end, 0.0);
+  walls.setNominalStock(nominal_);
+  walls.setMinSkin(kMinSkin * end);
   planLevels(walls, job, name, colour);
 }
 

@@ -104,15 +104,15 @@ void keepNeeded(const Level& level,
   const auto all = level.neededNodes(), wide = material.nodesToCut(),
              near = material.nodesToCut(std::min(step, certain));
   for (std::size_t i = 0; i < areas.size(); ++i) {
-    const bool wall = walls && areas[i].parent < 0;
+    const auto& needed = walls && areas[i].parent < 0 ? all
+                         : to_middle[i]               ? wide
+                                                      : near;
     std::vector<IsoLine> kept;
     for (const auto& line : areas[i].lines)
-      for (auto& stretch : neededStretches(grid,
-                                           wall           ? all
-                                           : to_middle[i] ? wide
-                                                          : near,
-                                           line,
-                                           level.stepOver())) {
+      for (auto& stretch : neededStretches(
+               line,
+               [&](const Eigen::Vector2d& p) { return isSetNear(grid, needed, p); },
+               level.stepOver())) {
         if (!walls) // what is left to cut lies within
           std::reverse(stretch.points.begin(), stretch.points.end());
         kept.push_back(std::move(stretch));

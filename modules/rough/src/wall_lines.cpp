@@ -16,20 +16,6 @@ namespace {
 
 constexpr int kHalvings = 4;
 
-/// Whether any node of the square that @p p lies in is set.
-bool isSet(const CellGrid& grid,
-           const std::vector<unsigned char>& nodes,
-           const Eigen::Vector2d& p)
-{
-  const double half = grid.cell / 2;
-  const int column = grid.columnOf(p.x() - half), row = grid.rowOf(p.y() - half);
-  for (int r = row; r <= row + 1; ++r)
-    for (int c = column; c <= column + 1; ++c)
-      if (grid.has(c, r) && nodes[grid.index(c, r)])
-        return true;
-  return false;
-}
-
 } // namespace
 
 std::vector<IsoLine> wallLines(const Level& level)
@@ -108,13 +94,25 @@ std::vector<Eigen::Vector2d> corners(const std::vector<Eigen::Vector2d>& points)
   return kept;
 }
 
-std::vector<IsoLine> neededStretches(const CellGrid& grid,
-                                     const std::vector<unsigned char>& nodes,
-                                     const IsoLine& line,
-                                     double gap)
+bool isSetNear(const CellGrid& grid,
+           const std::vector<unsigned char>& nodes,
+           const Eigen::Vector2d& p)
+{
+  const double half = grid.cell / 2;
+  const int column = grid.columnOf(p.x() - half), row = grid.rowOf(p.y() - half);
+  for (int r = row; r <= row + 1; ++r)
+    for (int c = column; c <= column + 1; ++c)
+      if (grid.has(c, r) && nodes[grid.index(c, r)])
+        return true;
+  return false;
+}
+
+std::vector<IsoLine>
+neededStretches(const IsoLine& line,
+                const std::function<bool(const Eigen::Vector2d&)>& needed,
+                double gap)
 {
   std::vector<Eigen::Vector2d> points = line.points;
-  const auto needed = [&](const Eigen::Vector2d& p) { return isSet(grid, nodes, p); };
   if (line.closed) {
     // Begin where nothing is needed, if anywhere, behind the longest such stretch.
     const std::size_t n = points.size();

@@ -25,10 +25,14 @@ std::vector<Eigen::Vector2d> corners(const std::vector<Eigen::Vector2d>& points)
 
 /// @brief The stretches of a line along which there is something to cut; those less
 /// than @p gap [mm] apart are taken as one. A closed line is opened where there is not.
-/// @param needed set for the nodes where there is
-std::vector<IsoLine> neededStretches(const CellGrid& grid,
-                                     const std::vector<unsigned char>& needed,
-                                     const IsoLine& line,
-                                     double gap);
+std::vector<IsoLine>
+neededStretches(const IsoLine& line,
+                const std::function<bool(const Eigen::Vector2d&)>& needed,
+                double gap);
+
+/// @brief Whether any node of the square that @p p lies in is set.
+bool isSetNear(const CellGrid& grid,
+               const std::vector<unsigned char>& nodes,
+               const Eigen::Vector2d& p);
 
 } // namespace pointmill
