@@ -51,7 +51,7 @@ simulate(const CLCloud& passes, const Tool& tool, const Stock& stock, double cel
 
 /// Distance from @p p to the surface of a tool that moves level from @p a to @p b;
 /// negative inside.
-inline double distanceToSweep(const Tool& tool,
+inline double distanceToSweep(const CutterProfile& profile,
                               const Eigen::Vector3d& a,
                               const Eigen::Vector3d& b,
                               const Eigen::Vector3d& p)
@@ -59,13 +59,17 @@ inline double distanceToSweep(const Tool& tool,
   const Eigen::Vector2d along = (b - a).head<2>(), to = (p - a).head<2>();
   const double len2 = along.squaredNorm();
   const double t = len2 > 0 ? std::min(1.0, std::max(0.0, to.dot(along) / len2)) : 0.0;
-  return -tool.profile().depth((to - t * along).norm(), p.z() - a.z());
+  return -profile.depth((to - t * along).norm(), p.z() - a.z());
 }
 
 /// The least of it over all moves of the passes and all points.
-inline double
-clearance(const CLCloud& passes, const Tool& tool, const brute::Points& points)
+inline double clearance(const CLCloud& passes, const Tool& tool, brute::Points points)
 {
+  std::sort(points.begin(), points.end(), [](const auto& a, const auto& b) {
+    return a.x() < b.x();
+  });
+  const auto left_of = [](const Eigen::Vector3d& p, double x) { return p.x() < x; };
+  const CutterProfile profile = tool.profile();
   double least = std::numeric_limits<double>::infinity();
   forMovesOfPasses(
       passes, [&](Eigen::Vector3d a, Eigen::Vector3d b, const PointCL& to) {
@@ -73,10 +77,14 @@ clearance(const CLCloud& passes, const Tool& tool, const brute::Points& points)
           EXPECT_EQ(a.z(), b.z()) << "a pass of roughing leaves its level";
         }
         a.z() = b.z() =
-            std::min(a.z(), b.z()); // a ramp is no nearer than its lower end
-        for (const auto& p : points)
-          if (p.z() > a.z() - 5)
-            least = std::min(least, distanceToSweep(tool, a, b, p));
+            std::min(a.z(), b.z()); // no nearer on a ramp than at its lower end
+        const double near = (b - a).norm() + tool.radius() + 1;
+        for (auto p =
+                 std::lower_bound(points.begin(), points.end(), a.x() - near, left_of);
+             p != points.end() && p->x() <= a.x() + near;
+             ++p)
+          if (p->z() > a.z() - 5 && std::abs(p->y() - a.y()) <= near)
+            least = std::min(least, distanceToSweep(profile, a, b, *p));
       });
   return least;
 }
