@@ -55,7 +55,7 @@ simulate(const CLCloud& passes, const Tool& tool, const Stock& stock, double cel
 
 /// Distance from @p p to the surface of a tool that moves level from @p a to @p b;
 /// negative inside.
-inline double distanceToSweep(const Tool& tool,
+inline double distanceToSweep(const CutterProfile& profile,
                               const Eigen::Vector3d& a,
                               const Eigen::Vector3d& b,
                               const Eigen::Vector3d& p)
@@ -63,31 +63,38 @@ inline double distanceToSweep(const Tool& tool,
   const Eigen::Vector2d along = (b - a).head<2>(), to = (p - a).head<2>();
   const double len2 = along.squaredNorm();
   const double t = len2 > 0 ? std::min(1.0, std::max(0.0, to.dot(along) / len2)) : 0.0;
-  return -tool.profile().depth((to - t * along).norm(), p.z() - a.z());
+  return -profile.depth((to - t * along).norm(), p.z() - a.z());
 }
 
 /// The least of it over all moves of the passes and all points; a move that is not
 /// level is taken as many short ones. `level`: there must be none of those.
-inline double clearance(const CLCloud& passes,
-                        const Tool& tool,
-                        const brute::Points& points,
-                        bool level)
+inline double
+clearance(const CLCloud& passes, const Tool& tool, brute::Points points, bool level)
 {
+  std::sort(points.begin(), points.end(), [](const auto& a, const auto& b) {
+    return a.x() < b.x();
+  });
+  const auto left_of = [](const Eigen::Vector3d& p, double x) { return p.x() < x; };
+  const CutterProfile profile = tool.profile();
   double least = std::numeric_limits<double>::infinity();
   forMovesOfPasses(
-      passes, [&](const Eigen::Vector3d& a, const Eigen::Vector3d& b, const PointCL& how) {
+      passes,
+      [&](const Eigen::Vector3d& a, const Eigen::Vector3d& b, const PointCL& how) {
         if (level && how.getMotion() != Motion::Ramp) {
           EXPECT_EQ(a.z(), b.z()) << "a pass of roughing leaves its level";
         }
+        const double near = (b - a).norm() + tool.radius() + 1;
+        const auto first =
+            std::lower_bound(points.begin(), points.end(), a.x() - near, left_of);
         const int pieces =
             a.z() == b.z() ? 1 : 1 + static_cast<int>((b - a).norm() / 0.05);
         for (int i = 0; i < pieces; ++i) {
           const Eigen::Vector3d from = a + (b - a) * (double(i) / pieces);
           Eigen::Vector3d to = a + (b - a) * (double(i + 1) / pieces);
           to.z() = from.z();
-          for (const auto& p : points)
-            if (p.z() > from.z() - 5)
-              least = std::min(least, distanceToSweep(tool, from, to, p));
+          for (auto p = first; p != points.end() && p->x() <= a.x() + near; ++p)
+            if (p->z() > from.z() - 5 && std::abs(p->y() - a.y()) <= near)
+              least = std::min(least, distanceToSweep(profile, from, to, *p));
         }
       });
   return least;

@@ -7,6 +7,9 @@ using namespace rough_test;
 
 namespace {
 
+/// Seen from above, less than a cell of the map [mm2] is a splinter.
+constexpr double kSplinter = 0.4 * 0.4;
+
 template <typename S>
 class RoughingDepth : public EveryRoughing<S> {
 protected:
@@ -16,7 +19,9 @@ protected:
     StockField field = stock;
     double deepest = 0;
     forMovesOfPasses(passes, [&](const auto& a, const auto& b, const PointCL&) {
-      deepest = std::max(deepest, field.cut(this->roughing.getTool(), a, b).depth);
+      const Cut cut = field.cut(this->roughing.getTool(), a, b);
+      if (cut.volume > cut.depth * kSplinter)
+        deepest = std::max(deepest, cut.depth);
     });
     return deepest;
   }

@@ -45,7 +45,7 @@ TYPED_TEST(RoughingPlaces, AFlatGetsItsLevelWhereItIsAndNowhereElse)
   EXPECT_GE(flat, -2.3 - 1e-4) << "the allowance is kept";
   EXPECT_LE(flat, -2.3 + 0.02);
   for (const auto& p : passes)
-    if (p.z == float(flat)) {
+    if (p.z == float(flat) && p.getMotion() == Motion::Cut) {
       EXPECT_LE(p.x, 24 + 6.2) << "the base is left to its own levels";
     }
   forCells(simulate(passes, Tool::flat(1, 6), stock->stock(), 0.25),
@@ -105,7 +105,8 @@ TYPED_TEST(RoughingPlaces, ABoxHasNoPlaceOutOfReach)
   this->run(mapOf(cloud, 0.4));
   EXPECT_TRUE(this->roughing.getNarrowPlaces().empty());
   EXPECT_EQ(this->roughing.getReport().get("kept_out_mm3"), 0);
-  EXPECT_EQ(this->roughing.getReport().get("missed_mm2"), 0);
+  // Constant engagement leaves skins of less than a cell's part on round corners.
+  EXPECT_LE(this->roughing.getReport().get("missed_mm2"), 2.0);
 }
 
 TYPED_TEST(RoughingPlaces, ZonesAreKeptOutOfAndWhatStaysIsSaid)

@@ -24,6 +24,7 @@ constexpr double kStep = 0.125;      // of a walk
 constexpr double kTightest = 0.2;    // turn of a walk
 constexpr double kLinkTurn = 0.4;    // turn of a link
 constexpr double kFinest = 1.0 / 24; // cell of the simulation
+constexpr int kMostParts = 9;        // of a node's cell, so that it does not cost more
 constexpr double kLeastHelix = 0.25; // its radius
 constexpr double kMostHelix = 0.75;
 constexpr double kShortestTrack = 0.5; // of a ramp forth and back
@@ -36,7 +37,7 @@ constexpr double kWidest = 0.85;
 int partsFor(const Level& level)
 {
   const double finest = kFinest * level.map().endRadius();
-  return int(std::ceil(level.map().grid().cell / finest)) | 1;
+  return std::min(kMostParts, int(std::ceil(level.map().grid().cell / finest)) | 1);
 }
 
 WalkLimits limitsOf(const Level& level, double side)
@@ -329,8 +330,11 @@ bool HighSpeedPlan::enter()
     if (rampAlong(piece))
       return true;
   }
-  else if (sweepUp(all))
+  else if (sweepUp(all)) {
+    while (sweepUp(all))
+      ;
     return true;
+  }
   narrow_ += areaUnder(piece, std::numeric_limits<double>::infinity());
   for (const Node n : piece)
     no_entry_[map.index(n)] = 1;
@@ -344,7 +348,11 @@ bool HighSpeedPlan::sweepUp(const std::vector<Node>& places)
     return false;
   const double r = walker_.limits().radius, cell = material_.grid().cell;
   const auto most = static_cast<std::size_t>(ground_.crumb() / (cell * cell));
-  const auto way = ground_.brush(tool_->at, places, most);
+  std::vector<Node> left;
+  for (const Node n : places)
+    if (material_.toCut(level_.map().at(n), ground_.frontRadius(), 0) > 0)
+      left.push_back(n);
+  const auto way = ground_.brush(tool_->at, left, most);
   if (way.empty())
     return false;
   const auto pulled = tightened(way, [&](const Vector2d& a, const Vector2d& b) {

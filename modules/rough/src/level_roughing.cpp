@@ -86,7 +86,7 @@ void LevelRoughing::apply(CLCloud& output)
   struct Work {
     std::vector<LevelPath> paths;
     Report figures;
-    std::size_t left = 0;
+    double left = 0; // mm2
   };
   std::vector<Work> work(planes.size());
   const auto regions = map.regions(planes.back().z);
@@ -100,11 +100,13 @@ void LevelRoughing::apply(CLCloud& output)
       material.cut(path);
     auto rest = clearRest(level, material);
     std::move(rest.begin(), rest.end(), std::back_inserter(work[k].paths));
-    work[k].left = material.left();
+    work[k].left =
+        double(material.left()) * material.grid().cell * material.grid().cell;
   });
 
   std::vector<RoughPass> passes;
-  std::size_t used = 0, left = 0, flats = 0;
+  std::size_t used = 0, flats = 0;
+  double left = 0;
   for (std::size_t k = 0; k < planes.size(); ++k) {
     used += !work[k].paths.empty();
     left += work[k].left;
@@ -136,7 +138,7 @@ void LevelRoughing::apply(CLCloud& output)
   report_.set("narrow_places", static_cast<double>(out.narrow.size()));
   report_.set("narrow_mm3", out.narrow_volume);
   report_.set("kept_out_mm3", out.kept_out_volume);
-  report_.set("missed_mm2", static_cast<double>(left) * cells.cell * cells.cell);
+  report_.set("missed_mm2", left);
 }
 
 } // namespace pointmill

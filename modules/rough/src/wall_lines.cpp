@@ -95,8 +95,8 @@ std::vector<Eigen::Vector2d> corners(const std::vector<Eigen::Vector2d>& points)
 }
 
 bool isSetNear(const CellGrid& grid,
-           const std::vector<unsigned char>& nodes,
-           const Eigen::Vector2d& p)
+               const std::vector<unsigned char>& nodes,
+               const Eigen::Vector2d& p)
 {
   const double half = grid.cell / 2;
   const int column = grid.columnOf(p.x() - half), row = grid.rowOf(p.y() - half);
