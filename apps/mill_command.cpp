@@ -260,7 +260,7 @@ CLI::App* declareMill(CLI::App& app, MillCommand& command)
           {"high-speed", RoughingStrategy::HighSpeed},
           {"offset", RoughingStrategy::Offset}},
          "how the roughing goes over a level")
-      ->default_str("zigzag")
+      ->default_str("offset")
       ->group("Operations");
   add("--step-down", o.step_down, "MM", "of the roughing; 0: 0.3 d / 4", "Operations");
   add("--step-over", o.step_over, "MM", "of the roughing; 0: 0.4 d", "Operations");

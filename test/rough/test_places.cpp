@@ -46,7 +46,7 @@ TYPED_TEST(RoughingPlaces, AFlatGetsItsLevelWhereItIsAndNowhereElse)
   EXPECT_LE(flat, -2.3 + 0.02);
   for (const auto& p : passes)
     if (p.z == float(flat) && p.getMotion() == Motion::Cut) {
-      EXPECT_LE(p.x, 24 + 6.2) << "the base is left to its own levels";
+      EXPECT_LE(p.x, 24 + 7.5) << "the base is left to its own levels";
     }
   forCells(simulate(passes, Tool::flat(1, 6), stock->stock(), 0.25),
            [&](double x, double y, double h) {

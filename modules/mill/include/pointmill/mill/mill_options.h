@@ -74,7 +74,7 @@ struct MillOptions {
   double floor = std::numeric_limits<double>::quiet_NaN();
 
   // the operations
-  RoughingStrategy roughing = RoughingStrategy::ZigZag;
+  RoughingStrategy roughing = RoughingStrategy::Offset;
   double step_down = 0.0; ///< of the roughing; 0: 0.3 d / 4
   double step_over = 0.0; ///< of the roughing; 0: 0.4 d
   /// Level ground that gets a level of the roughing [mm2]; NaN: the tool's end squared.
