@@ -245,6 +245,18 @@ CLI::App* declareMill(CLI::App& app, MillCommand& command)
       "MM",
       "stock below the part",
       "Machine and stock");
+  mill->add_option("--stock-box",
+                   command.stock_box,
+                   "the stock in the part frame, instead of margins round the part")
+      ->type_name("X0 Y0 Z0 X1 Y1 Z1")
+      ->expected(6)
+      ->group("Machine and stock");
+  mill->add_option(
+          "--stock-scan",
+          o.stock_scan,
+          "scan of the raw part, a casting say, in the frame and units of SCAN")
+      ->type_name("FILE")
+      ->group("Machine and stock");
   mill->add_option("--floor", o.floor, "no tip goes below this Z of the part frame")
       ->type_name("MM")
       ->default_str("the part's lowest point")
@@ -353,6 +365,10 @@ int runMill(MillCommand& command)
   o.rough.tool = command.rough_tool.toolFrom(o.rough.tool);
   o.semi.tool = command.semi_tool.toolFrom(o.semi.tool);
   o.finish.tool = command.finish_tool.toolFrom(o.finish.tool);
+  if (!command.stock_box.empty()) {
+    const auto& b = command.stock_box;
+    o.stock_box = Stock{{b[0], b[1], b[2]}, {b[3], b[4], b[5]}};
+  }
   o.keep_out = readKeepOut(command.keep_out, command.keep_out_margin);
   if (command.rest_diameter) {
     o.rest = o.rough; // its feeds and allowance

@@ -20,6 +20,7 @@ struct MillCommand {
   ToolOptions rough_tool{"rough"}, semi_tool{"semi"}, finish_tool{"finish"};
   std::string scan, directory;
   std::optional<double> rest_diameter;
+  std::vector<double> stock_box; ///< X0 Y0 Z0 X1 Y1 Z1
   std::vector<std::string> keep_out;
   double keep_out_margin = pointmill::KeepOut().margin();
   std::vector<double> polygon; ///< X and Y in turn

@@ -111,6 +111,8 @@ void MillJob::verify()
     verifier.setNoiseAllowance(figures_.farthest);
   }
   verifier.setStock(stock_);
+  if (raw_)
+    verifier.setRawStock(raw_, raw_reach_);
   verifier.setTools(tools());
   verifier.setKeepOut(options_.keep_out);
   // What the control may add by blending corners cannot be seen in the text.
@@ -150,6 +152,7 @@ void MillJob::plan(const std::string& scan)
   readAndAlign(scan);
   makeSurface();
   makeMap();
+  timed("stock", 0.14, [&] { makeStock(); });
   timed("roughing", 0.15, [&] { planRoughing(); });
   // Where the big tool did not get in, full stock stands: a ball end mill must not go
   // there in one pass. Nor must it meet the skins that stay on walls as high as these.

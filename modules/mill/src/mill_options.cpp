@@ -18,6 +18,13 @@ void MillOptions::validate() const
   checkRange(who, "--stock-margin", stock_margin, "mm", {0, 500});
   checkRange(who, "--stock-top", stock_top, "mm", {0, 500});
   checkRange(who, "--stock-bottom", stock_bottom, "mm", {0, 500});
+  if (stock_box && !((stock_box->max - stock_box->min).minCoeff() > 0))
+    throw ParameterError(who + ": --stock-box has no volume: X0 Y0 Z0 X1 Y1 Z1");
+  if (!stock_scan.empty() + stock_box.has_value() +
+          (stock_margin > 0 || stock_top > 0 || stock_bottom > 0) >
+      1)
+    throw ParameterError(who + ": --stock-box, --stock-scan and the margins of the "
+                               "stock exclude each other");
   checkRange(who, "--step-down", step_down, "mm", {0, rough.tool.diameter});
   checkRange(who, "--step-over", step_over, "mm", {0, rough.tool.endDiameter()});
   checkRange(who, "--overhang", overhang, "mm", {-100, 100});

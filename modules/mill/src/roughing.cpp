@@ -21,7 +21,7 @@ constexpr double kRestThickness = 0.4, kRestWidth = 0.6;
 /// Skins higher than this are taken down from the walls by steps of it [diameters].
 constexpr double kWallStep = 0.5;
 /// Thinner skins are left [diameters].
-constexpr double kMinSkin = 0.02;
+constexpr double kMinSkin = 0.05;
 /// Of the allowance stays after that: the passes beside meet no skin then.
 constexpr double kWallAllowance = 0.75;
 /// Radius of the arcs that lead into and out of passes [diameters].

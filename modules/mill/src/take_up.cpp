@@ -232,22 +232,7 @@ void MillJob::makeMap()
     else
       model_ = std::make_shared<SurfaceModel>(surface_);
 
-    const double margin = options_.stock_margin;
     bridged_area_ = occupancy.getReport().get("between_points_mm2");
-    stock_.min =
-        points_->min() - Eigen::Vector3d(margin, margin, options_.stock_bottom);
-    stock_.max = points_->max() + Eigen::Vector3d(margin, margin, options_.stock_top);
-    floor_ = std::isnan(options_.floor)
-                 ? std::max(clean_points_->min().z(), stock_.min.z())
-                 : options_.floor;
-    if (floor_ < stock_.min.z() - 1e-6)
-      throw ParameterError("mill: --floor lies below the stock's bottom, Z" +
-                           std::to_string(stock_.min.z()));
-    if (stock_.max.z() - floor_ < 1e-3)
-      throw DataError("the part is flat: there is nothing to mill");
-    standing_ = std::make_shared<StockField>(stock_, cell, StockField::Bound::Upper);
-    nominal_ =
-        std::make_shared<StockField>(stock_, cell / 2, StockField::Bound::Nominal);
   });
 }
 

@@ -42,6 +42,23 @@ StockField::StockField(const Stock& stock, double cell, Bound bound)
   top_.assign(static_cast<std::size_t>(runs_) * rows_, height_.front());
 }
 
+void StockField::lowerTo(const std::function<double(double, double)>& height)
+{
+  for (int row = 0; row < rows_; ++row) {
+    float* line = &height_[static_cast<std::size_t>(row) * columns_];
+    for (int column = 0; column < columns_; ++column) {
+      const double z = height(x(column), y(row));
+      float stored = static_cast<float>(z);
+      if (bound_ == Bound::Upper && stored < z) // rounded down
+        stored = std::nextafter(stored, std::numeric_limits<float>::infinity());
+      line[column] = std::min(line[column], stored);
+    }
+    for (int run = 0; run < runs_; ++run)
+      top_[static_cast<std::size_t>(row) * runs_ + run] = *std::max_element(
+          line + run * kRun, line + std::min(columns_, (run + 1) * kRun));
+  }
+}
+
 int StockField::rowOf(double y) const
 {
   const double row = std::floor((y - stock_.min.y()) / cell_);

@@ -108,16 +108,15 @@ private:
 
 } // namespace
 
-void judgeStock(const Stock& stock,
-                double cell,
+void judgeStock(StockField field,
                 const std::vector<SweptMove>& moves,
                 double tolerance,
                 unsigned threads,
                 Verification& result)
 {
-  StockField field(stock, cell, StockField::Bound::Nominal);
   const int count = (field.rows() + kRowsPerBand - 1) / kRowsPerBand;
-  const Bands bands(moves, stock.min.y(), kRowsPerBand * cell, count);
+  const Bands bands(
+      moves, field.stock().min.y(), kRowsPerBand * field.cellSize(), count);
   std::map<const Tool*, Tool> rapid_tools;
   for (const auto& m : moves)
     rapid_tools.emplace(m.tool, shrunk(*m.tool, tolerance));

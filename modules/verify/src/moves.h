@@ -2,6 +2,7 @@
 // Copyright (c) 2026, the PointMill authors
 #pragma once
 
+#include <pointmill/surface/stock_field.h>
 #include <pointmill/verify/program_verifier.h>
 
 #include <functional>
@@ -95,8 +96,8 @@ void judgeKeepOut(const KeepOut& keep_out,
                   Verification& result);
 
 /// @brief Cuts the stock in the program's order; rapids that cut are findings.
-void judgeStock(const Stock& stock,
-                double cell,
+/// @param field the stock, with nominal heights
+void judgeStock(StockField field,
                 const std::vector<SweptMove>& moves,
                 double tolerance,
                 unsigned threads,

@@ -4,6 +4,7 @@
 
 #include <pointmill/common/error.h>
 #include <pointmill/common/parameters.h>
+#include <pointmill/surface/raw_stock.h>
 
 #include <cstdio>
 #include <set>
@@ -64,7 +65,13 @@ Verification ProgramVerifier::verify(const Program& program) const
                                {0, 0, 0},
                                0});
   judgeKeepOut(keep_out_, moves, tolerance_, threads_, result);
-  judgeStock(stock_, cell_, moves, tolerance_, threads_, result);
+  judgeStock(raw_
+                 ? stockOf(stock_, cell_, StockField::Bound::Nominal, *raw_, raw_reach_)
+                 : StockField(stock_, cell_, StockField::Bound::Nominal),
+             moves,
+             tolerance_,
+             threads_,
+             result);
 
   if (result.gouged_points > 0)
     result.findings.push_back(

@@ -114,6 +114,8 @@ private:
   void readAndAlign(const std::string& scan);
   void makeSurface();
   void makeMap();
+  void readRawStock();
+  void makeStock();
   void planLevels(LevelRoughing& roughing,
                   const ToolJob& job,
                   const std::string& name,
@@ -151,6 +153,8 @@ private:
   std::shared_ptr<const PointIndex> surface_;      // clean points and bridges
   std::shared_ptr<const SurfaceModel> model_;
   Stock stock_;
+  std::shared_ptr<const PointIndex> raw_; // of the raw part, where it was scanned
+  double raw_reach_ = 0;                  // of its points [mm]
   std::shared_ptr<StockField> standing_, nominal_;
   double floor_ = 0, bridged_area_ = 0;
   std::vector<PlannedOperation> operations_;

@@ -5,6 +5,7 @@
 #include <pointmill/align/z_alignment.h>
 #include <pointmill/common/keep_out.h>
 #include <pointmill/common/operation.h>
+#include <pointmill/common/stock.h>
 #include <pointmill/finish/cl_surface.h>
 #include <pointmill/slice/occupancy_map.h>
 
@@ -70,6 +71,11 @@ struct MillOptions {
   double stock_margin = 0.0; ///< stock beyond the part on each side in X and Y [mm]
   double stock_top = 0.0;    ///< stock above the part's highest point [mm]
   double stock_bottom = 0.0; ///< stock below the part's lowest point [mm]
+  /// The stock's box in the part frame [mm], instead of margins round the part.
+  std::optional<Stock> stock_box;
+  /// File of a scan of the raw part, in the frame and the units of the part's own;
+  /// empty: a box.
+  std::string stock_scan;
   /// Z that no tip goes below [mm]; NaN: the part's lowest point.
   double floor = std::numeric_limits<double>::quiet_NaN();
 

@@ -8,6 +8,7 @@
 
 #include <Eigen/Core>
 
+#include <functional>
 #include <vector>
 
 namespace pointmill {
@@ -45,6 +46,9 @@ public:
   /// @throws ParameterError unless the box has volume, 0.01 <= cell [mm], and there are
   /// less than 100 million cells
   StockField(const Stock& stock, double cell, Bound bound);
+
+  /// @brief Lowers every cell to @p height of its centre [mm], where that is lower.
+  void lowerTo(const std::function<double(double x, double y)>& height);
 
   /// @brief Moves @p tool straight from @p a to @p b through the cells of rows
   /// [@p row0, @p row1), so that threads can share the work by rows.

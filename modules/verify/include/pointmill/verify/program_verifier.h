@@ -118,6 +118,13 @@ public:
   /// @brief Where no tool may be, feeding or not.
   void setKeepOut(KeepOut keep_out) { keep_out_ = std::move(keep_out); }
   void setStock(const Stock& stock) { stock_ = stock; }
+  /// @brief Points of the raw part, where the stock does not fill its box, and how far
+  /// each stands for its surroundings [mm], see stockOf().
+  void setRawStock(std::shared_ptr<const PointIndex> raw, double reach)
+  {
+    raw_ = std::move(raw);
+    raw_reach_ = reach;
+  }
   void setTools(std::vector<Tool> tools) { tools_ = std::move(tools); }
   /// @brief Points that get deeper into a tool than this are gouged [mm].
   void setTolerance(double tolerance) { tolerance_ = tolerance; }
@@ -152,7 +159,8 @@ public:
   Verification verify(const Program& program) const;
 
 private:
-  std::shared_ptr<const PointIndex> part_, model_, protected_;
+  std::shared_ptr<const PointIndex> part_, model_, protected_, raw_;
+  double raw_reach_ = 0.0;
   KeepOut keep_out_;
   Stock stock_;
   std::vector<Tool> tools_;
