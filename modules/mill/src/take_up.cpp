@@ -5,6 +5,7 @@
 #include <pointmill/io/raw_scan.h>
 #include <pointmill/io/scan.h>
 #include <pointmill/mill/mill_job.h>
+#include <pointmill/slice/distance_field.h>
 #include <pointmill/slice/noise.h>
 #include <pointmill/slice/sink.h>
 #include <pointmill/slice/spacing_map.h>
@@ -33,6 +34,21 @@ constexpr double kMostRaised = 0.8;
 constexpr double kFewestNeighbours = 24, kMostNeighbours = 120;
 /// Points may lie this share of the tolerance off a patch of the smooth surface.
 constexpr double kFidelity = 0.25;
+
+/// Voids between points this far from the next one are bridged, in radii of the last
+/// tool: nearer by, quadrics through the points hold it up.
+constexpr double kWideVoid = 0.5;
+
+/// From each cell of a map to the next one that holds points, in cells.
+std::vector<float> distanceToPoints(const CellCloud& map)
+{
+  std::vector<unsigned char> occupied(map.size());
+  std::transform(map.begin(), map.end(), occupied.begin(), [](const PointCell& c) {
+    return static_cast<unsigned char>(c.getState() == CellState::Occupied);
+  });
+  return distanceField(
+      occupied, static_cast<int>(map.width), static_cast<int>(map.height));
+}
 
 template <typename PointT>
 pcl::Indices all(const pcl::PointCloud<PointT>& cloud)
@@ -209,11 +225,17 @@ void MillJob::makeMap()
     occupancy.filter(*map_);
     gaps_ = occupancy.getGaps();
 
-    CellCloud bridges, across; // between points as well; over gaps only
-    for (const auto& c : *map_) {
+    // Between points as well; over gaps, and over such voids between points that the
+    // finest tool might fall into.
+    CellCloud bridges, across;
+    const auto to_points = distanceToPoints(*map_);
+    const double wide = kWideVoid * options_.finish.tool.tipRadius();
+    for (std::size_t i = 0; i < map_->size(); ++i) {
+      const PointCell& c = (*map_)[i];
       if (c.getState() == CellState::Between || c.getState() == CellState::Gap)
         bridges.push_back(c);
-      if (c.getState() == CellState::Gap)
+      if (c.getState() == CellState::Gap ||
+          (c.getState() == CellState::Between && to_points[i] * cell >= wide))
         across.push_back(c);
     }
     const auto with = [&](const CellCloud& fill) {
