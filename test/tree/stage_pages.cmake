@@ -18,7 +18,7 @@ foreach(header ${headers})
 
   set(s "[ \n]*")
   string(REGEX MATCHALL
-    "[^a-z]v\\(${s}\"[a-z_]+\",${s}[a-z_.]+,${s}\"[a-zA-Z/]*\",${s}Range{[^}]*}"
+    "[^a-z]v\\(${s}\"[a-z_]+\",${s}[a-z_.]+,${s}\"[a-zA-Z0-9/]*\",${s}Range{[^}]*}"
     parameters "${text}")
   string(REGEX MATCHALL "[^a-z]v\\(${s}\"" all "${text}")
   list(LENGTH parameters understood)
@@ -36,7 +36,7 @@ foreach(header ${headers})
     file(READ ${ROOT}/doc/stages/${name}.md page)
   endif()
   foreach(parameter ${parameters})
-    string(REGEX MATCH "\"([a-z_]+)\",[^\"]*\"([a-zA-Z/]*)\",${s}Range{([^,]*), *([^}]*)}"
+    string(REGEX MATCH "\"([a-z_]+)\",[^\"]*\"([a-zA-Z0-9/]*)\",${s}Range{([^,]*), *([^}]*)}"
            found "${parameter}")
     set(unit "${CMAKE_MATCH_2}")
     if(unit STREQUAL "")

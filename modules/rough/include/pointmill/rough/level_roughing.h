@@ -20,8 +20,8 @@ namespace pointmill {
 /// All strategies work on one description of a level: where the tool leaves the
 /// allowance on the part, less what is no stock any more. After the strategy, each
 /// level gets passes along the border of the part where stock is left, so that no
-/// ridges stay beside the walls. Levels are planned in parallel; the result does not
-/// depend on it.
+/// ridges stay beside the walls; some strategies do without (clearRest()). Levels are
+/// planned in parallel; the result does not depend on it.
 class LevelRoughing : public Stage<PointCell, PointCL> {
 public:
   using Stage<PointCell, PointCL>::Stage;
