@@ -227,7 +227,7 @@ CLI::App* declareMill(CLI::App& app, MillCommand& command)
   add("--clearance",
       o.clearance,
       "MM",
-      "rapids go sideways so far above the stock",
+      "of the clearance plane above the stock and all zones",
       "Machine and stock");
   add("--rapid-rate",
       o.rapid_rate,
@@ -297,7 +297,7 @@ CLI::App* declareMill(CLI::App& app, MillCommand& command)
                    o.min_flat,
                    "smallest level ground that gets a level of the roughing; 0: none")
       ->type_name("MM2")
-      ->default_str("the tool's diameter squared")
+      ->default_str("the diameter of the tool's end squared")
       ->group("Operations");
   choice(*mill,
          "--raster",

@@ -12,6 +12,10 @@ namespace {
 
 /// A layer thinner than this is not cut but rounding [mm].
 constexpr double kTouch = 0.01;
+/// A layer on less ground than the square of this share of the end's diameter is a
+/// splinter, and so is what stands this many times higher than the mean of the ground
+/// that is cut with it: under a ball the middle of a layer is twice its mean.
+constexpr double kSplinter = 0.05, kOverMean = 2.0;
 
 } // namespace
 
@@ -37,14 +41,14 @@ CutMeter::cut(const Eigen::Vector3d& from, const Eigen::Vector3d& to, Motion mot
     const bool cuts = taken.depth > kTouch;
     (cuts ? figures_.material_length : figures_.air_length) += length / pieces;
     figures_.volume += taken.volume;
-    figures_.max_axial = std::max(figures_.max_axial, taken.axial);
     if (cuts && !entry) {
       area_ += std::min(taken.area, tool_.diameter * run / pieces);
       run_ += run / pieces;
     }
-    thickest =
-        std::max(thickest,
-                 add({length / pieces, run / pieces, taken.area, taken.volume}, entry));
+    thickest = std::max(
+        thickest,
+        add({length / pieces, run / pieces, taken.area, taken.volume, taken.axial},
+            entry));
     at = next;
   }
   figures_.mean_radial = run_ > 0 ? area_ / run_ : 0.0;
@@ -62,8 +66,13 @@ double CutMeter::add(const Piece& piece, bool entry)
     sum.run += first->run;
     sum.area += first->area;
     sum.volume += first->volume;
+    sum.axial = std::max(sum.axial, first->axial);
   }
   window_.erase(window_.begin(), first);
+  const double splinter = kSplinter * tool_.endDiameter();
+  if (sum.area > splinter * splinter)
+    figures_.max_axial = std::max(
+        figures_.max_axial, std::min(sum.axial, kOverMean * sum.volume / sum.area));
   // Less way than the reach says too little: a single cell would be a wide cut.
   if (!entry)
     figures_.max_radial =

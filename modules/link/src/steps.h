@@ -19,7 +19,7 @@ constexpr double kMostSection = 0.1, kSlowest = 0.1;
 /// the end's diameter squared: a skin.
 constexpr double kSkin = 0.01;
 /// ... and so high, in diameters.
-constexpr double kSkinHeight = 0.25;
+constexpr double kSkinHeight = 0.5;
 
 /// One move of a path: where to, and how.
 struct Step {

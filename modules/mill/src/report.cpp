@@ -74,7 +74,6 @@ Json scanJson(const MillJob& job, const std::string& name)
 Json surfaceJson(const MillJob& job)
 {
   const SurfaceFigures& surface = job.surfaceFigures();
-  const MillOptions& o = job.options();
   const double spacing = job.scanFigures().spacing.p99;
   Json json = {{"model", surface.smooth ? "smooth" : "points"},
                {"noise_kept", surface.noise_kept},
@@ -82,11 +81,11 @@ Json surfaceJson(const MillJob& job)
                {"points_moved_at_most_mm", surface.farthest}};
   for (const auto& [name, value] : surface.smoothing.figures())
     json["smoothing"][name] = number(value);
-  for (const auto* t : {&o.rough.tool, &o.semi.tool, &o.finish.tool})
+  for (const Tool& t : job.tools())
     json["sink_between_bare_points_mm"].push_back(
-        {{"tool", t->number},
-         {"level", number(sinkBetweenPoints(*t, spacing))},
-         {"at_45_deg", number(sinkBetweenPoints(*t, spacing, 45))}});
+        {{"tool", t.number},
+         {"level", number(sinkBetweenPoints(t, spacing))},
+         {"at_45_deg", number(sinkBetweenPoints(t, spacing, 45))}});
   return json;
 }
 

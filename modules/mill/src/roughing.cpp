@@ -11,6 +11,7 @@
 #include <pointmill/slice/z_slices.h>
 
 #include <chrono>
+#include <cmath>
 
 namespace pointmill {
 namespace {
@@ -27,25 +28,29 @@ constexpr double kWallAllowance = 0.75;
 /// Radius of the arcs that lead into and out of passes [diameters].
 constexpr double kLeadRadius = 0.1;
 
-std::unique_ptr<LevelRoughing> strategyOf(RoughingStrategy strategy)
+/// Calls plan(roughing) with the strategy of that name.
+template <typename Plan>
+void withStrategy(RoughingStrategy strategy, Plan&& plan)
 {
+  const auto call = [&](auto roughing) { plan(roughing); };
   switch (strategy) {
   case RoughingStrategy::Grid:
-    return std::make_unique<GridRoughing>();
+    return call(GridRoughing());
+  case RoughingStrategy::ZigZag:
+    return call(ZigZagRoughing());
   case RoughingStrategy::Spiral:
-    return std::make_unique<SpiralRoughing>();
+    return call(SpiralRoughing());
   case RoughingStrategy::HighSpeed:
-    return std::make_unique<HighSpeedRoughing>();
+    return call(HighSpeedRoughing());
   case RoughingStrategy::Offset:
-    return std::make_unique<OffsetRoughing>();
-  default:
-    return std::make_unique<ZigZagRoughing>();
+    return call(OffsetRoughing());
   }
 }
 
 } // namespace
 
-void MillJob::planLevels(LevelRoughing& roughing,
+template <typename Strategy>
+void MillJob::planLevels(Strategy& roughing,
                          const ToolJob& job,
                          const std::string& name,
                          int colour)
@@ -83,14 +88,15 @@ void MillJob::planLevels(LevelRoughing& roughing,
 void MillJob::planRoughing()
 {
   const Tool& tool = options_.rough.tool;
-  const auto roughing = strategyOf(options_.roughing);
-  roughing->setStepDown(options_.step_down);
-  roughing->setStepOver(options_.step_over > 0 ? options_.step_over
-                                               : kRoughStepOver * tool.endDiameter());
-  roughing->setMinFlat(std::isnan(options_.min_flat)
-                           ? tool.endDiameter() * tool.endDiameter()
-                           : options_.min_flat);
-  planLevels(*roughing, options_.rough, "roughing", 0);
+  withStrategy(options_.roughing, [&](auto& roughing) {
+    roughing.setStepDown(options_.step_down);
+    roughing.setStepOver(options_.step_over > 0 ? options_.step_over
+                                                : kRoughStepOver * tool.endDiameter());
+    roughing.setMinFlat(std::isnan(options_.min_flat)
+                            ? tool.endDiameter() * tool.endDiameter()
+                            : options_.min_flat);
+    planLevels(roughing, options_.rough, "roughing", 0);
+  });
 }
 
 void MillJob::planRest(const ToolJob& job, const std::string& name, int colour)

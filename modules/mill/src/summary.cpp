@@ -87,13 +87,16 @@ std::vector<std::string> leftLines(const MillJob& job)
                           largest.at.z()));
   }
   const KeepOut& zones = job.options().keep_out;
+  double kept = 0; // each tool keeps out of some of what the ones before do
+  for (const auto& o : job.operations())
+    kept = std::max(kept, o.report.get("kept_out_mm3"));
   if (!zones.empty())
     lines.push_back(
         print("kept out   of %zu zones with a margin of %.1f mm: %.2f cm3 "
-              "of the roughing and %zu points (%.1f %%) stay uncut\n",
+              "of stock and %zu points (%.1f %%) stay uncut\n",
               zones.zones().size(),
               zones.margin(),
-              job.operations().front().report.get("kept_out_mm3") / 1000,
+              kept / 1000,
               job.verification().kept_out_points,
               percent(job.verification().kept_out_points, job.verification().points)));
   return lines;
@@ -172,35 +175,33 @@ std::vector<std::string> warningsOf(const MillJob& job)
               surface.noise_left));
   if (!o.boundary.empty())
     lines.push_back("what is left over counts the whole part, beyond the polygon too");
-  for (const auto* tool : {&job.options().rough.tool,
-                           &job.options().semi.tool,
-                           &job.options().finish.tool}) {
+  for (const Tool& tool : job.tools()) {
     const auto& depths = job.verification().axial_depth;
-    const auto depth = depths.find(tool->number);
-    if (depth != depths.end() && depth->second > 1.5 * tool->endDiameter())
+    const auto depth = depths.find(tool.number);
+    if (depth != depths.end() && depth->second > 1.5 * tool.endDiameter())
       lines.push_back(
           print("%s cuts up to %.1f mm deep at once somewhere (thin walls of "
                 "stock count); its feed is reduced there",
-                tool->describe().c_str(),
+                tool.describe().c_str(),
                 depth->second));
-    if (depth != depths.end() && tool->flute_length > 0 &&
-        depth->second > tool->flute_length)
+    if (depth != depths.end() && tool.flute_length > 0 &&
+        depth->second > tool.flute_length)
       lines.push_back(
           print("%s cuts up to %.1f mm deep at once somewhere: its flutes are only "
                 "%.1f mm long",
-                tool->describe().c_str(),
+                tool.describe().c_str(),
                 depth->second,
-                tool->flute_length));
+                tool.flute_length));
     const auto& tips = job.verification().lowest_tip;
-    const auto tip = tips.find(tool->number);
+    const auto tip = tips.find(tool.number);
     if (tip == tips.end())
       continue;
     const double reach = job.stock().top() - tip->second;
-    if (reach > 6 * tool->diameter)
+    if (reach > 6 * tool.diameter)
       lines.push_back(
           print("%s must reach %.0f mm below the top of the stock: check its "
                 "stick-out; holder and shank are not checked",
-                tool->describe().c_str(),
+                tool.describe().c_str(),
                 reach));
   }
   return lines;

@@ -18,7 +18,8 @@ struct CutFigures {
   double volume = 0;          ///< [mm3]
   double material_length = 0; ///< of feed moves that cut [mm]
   double air_length = 0;      ///< of feed moves that do not [mm]
-  /// Thickest layer that the tool takes at once, if it goes on level [mm], so an upper
+  /// Thickest layer that the tool takes at once, if it goes on level [mm], splinters
+  /// not counted, so an upper
   /// figure where it climbs over what it begins to cut. Going down steeply, what it
   /// takes in a quarter of the end's diameter.
   double max_axial = 0;
@@ -54,7 +55,7 @@ public:
 
 private:
   struct Piece {
-    double length, run, area, volume; // run: in XY
+    double length, run, area, volume, axial; // run: in XY
   };
   double add(const Piece& piece, bool entry);
 

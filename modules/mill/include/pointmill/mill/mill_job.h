@@ -17,8 +17,6 @@
 
 namespace pointmill {
 
-class LevelRoughing;
-
 /// @brief One operation as planned, with what is worth telling.
 struct PlannedOperation {
   Operation operation;
@@ -116,7 +114,8 @@ private:
   void makeMap();
   void readRawStock();
   void makeStock();
-  void planLevels(LevelRoughing& roughing,
+  template <typename Strategy>
+  void planLevels(Strategy& roughing,
                   const ToolJob& job,
                   const std::string& name,
                   int colour);
