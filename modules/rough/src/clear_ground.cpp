@@ -22,8 +22,8 @@ constexpr double kInterruption = 0.3;
 constexpr double kCrumb = 0.02; // of the radius squared: not worth a walk
 constexpr double kPlace = 2;    // of the radius: what is taken together for that
 constexpr double kBanned = 0.1; // of the radius: as good as the same start
-/// Looking at so many cells costs what it costs to find a node clear.
-constexpr std::size_t kLooksPerRefresh = 64;
+/// There is nothing to cut at a node, for good.
+constexpr Material::Place kNothing{-2, -2};
 
 } // namespace
 
@@ -42,22 +42,27 @@ ClearGround::ClearGround(const Level& level, const Material& material, double si
   clear_radius_ = radius - skin / 2;
   crumb_ = kCrumb * radius * radius;
   clear_.assign(grid.size(), 0);
+  crumbs_ = clear_;
+  obstacle_.assign(grid.size(), {-1, -1});
+  work_ = obstacle_;
   seen_.assign(grid.size(), 0);
   banned_.assign(grid.size(), 0);
   from_.assign(grid.size(), 0);
-  refresh();
+  clearFarOff();
 }
 
 /// Far from all that stands everything is clear.
-void ClearGround::refresh()
+void ClearGround::clearFarOff()
 {
   const CellGrid &grid = level_.map().grid(), &cells = material_.grid();
   const int parts = cells.columns / grid.columns;
   std::vector<unsigned char> stands(grid.size(), 0);
-  for (int row = 0; row < cells.rows; ++row)
-    for (int column = 0; column < cells.columns; ++column)
-      if (material_.at(column, row) != Material::Air)
-        stands[grid.index(column / parts, row / parts)] = 1;
+  for (int row = 0; row < grid.rows; ++row)
+    for (int column = 0; column < grid.columns; ++column) {
+      const int middle = parts / 2; // all parts of a cell are alike at first
+      stands[grid.index(column, row)] =
+          material_.at(column * parts + middle, row * parts + middle) != Material::Air;
+    }
   const auto away = distanceField(stands, grid.columns, grid.rows);
   for (int row = 0; row < grid.rows; ++row)
     for (int column = 0; column < grid.columns; ++column) {
@@ -66,7 +71,6 @@ void ClearGround::refresh()
           away[i] * grid.cell > clear_radius_ + grid.cell)
         clear_[i] = 1;
     }
-  looked_ = 0;
 }
 
 bool ClearGround::isClear(Node n)
@@ -75,31 +79,49 @@ bool ClearGround::isClear(Node n)
     return false;
   unsigned char& known = clear_[level_.map().index(n)];
   if (!known) {
-    const Vector2d p = level_.map().at(n);
-    known = looksClear(p) && material_.isClear(p, p, clear_radius_);
-    looked_ += known;
-    if (looked_ > material_.grid().size() / kLooksPerRefresh)
-      refresh();
+    Material::Place& obstacle = obstacle_[level_.map().index(n)];
+    if (obstacle.row >= 0 &&
+        material_.at(obstacle.column, obstacle.row) != Material::Air)
+      return false;
+    const auto found = material_.anyStanding(level_.map().at(n), clear_radius_);
+    if (found)
+      obstacle = *found;
+    known = !found;
   }
   return known;
 }
 
-/// A few places first: most of what is not clear shows there.
-bool ClearGround::looksClear(const Vector2d& p) const
+bool ClearGround::isToCut(Node n)
 {
-  constexpr int kPlaces = 8;
-  bool clear = material_.at(p) == Material::Air;
-  for (int i = 0; clear && i < kPlaces; ++i) {
-    const double angle = 2 * M_PI * i / kPlaces;
-    const Vector2d rim(std::cos(angle), std::sin(angle));
-    clear = material_.at(Vector2d(p + 0.95 * clear_radius_ * rim)) == Material::Air;
-  }
-  return clear;
+  if (!level_.isFree(n))
+    return false;
+  Material::Place& work = work_[level_.map().index(n)];
+  if (work.row == kNothing.row)
+    return false;
+  if (work.row >= 0 && material_.at(work.column, work.row) == Material::ToCut)
+    return true;
+  const auto found = material_.anyToCut(level_.map().at(n), front_radius_);
+  work = found.value_or(kNothing);
+  return found.has_value();
 }
 
-bool ClearGround::isToCut(Node n) const
+/// What a start at the node depends on, as a number.
+unsigned ClearGround::standingNear(Node n) const
 {
-  return level_.isFree(n) && material_.toCut(level_.map().at(n), front_radius_, 0) > 0;
+  const Vector2d p = level_.map().at(n);
+  return static_cast<unsigned>(material_.standing(
+      p, p, kNear * front_radius_, std::numeric_limits<std::size_t>::max()));
+}
+
+bool ClearGround::isCrumb(Node n)
+{
+  unsigned char& known = crumbs_[level_.map().index(n)];
+  if (!known) {
+    const double cell = material_.grid().cell;
+    const auto crumb = static_cast<std::size_t>(crumb_ / (cell * cell));
+    known = material_.toCut(level_.map().at(n), kPlace * front_radius_, crumb) <= crumb;
+  }
+  return known;
 }
 
 bool ClearGround::isFront(const Front& edge)
@@ -110,14 +132,10 @@ bool ClearGround::isFront(const Front& edge)
   // The nodes may lie so that the next one only brushes what stands there.
   if (!isToCut(n) && !isToCut(n + direction(edge.direction)))
     return false;
-  const double cell = material_.grid().cell;
-  const auto crumb = static_cast<std::size_t>(crumb_ / (cell * cell));
-  if (material_.toCut(level_.map().at(n), kPlace * front_radius_, crumb) <= crumb)
+  if (isCrumb(n))
     return false;
   const unsigned banned = banned_[level_.map().index(n)];
-  return banned == 0 ||
-         banned !=
-             1 + material_.ahead({1e9, 1e9}, level_.map().at(n), kNear * front_radius_);
+  return banned == 0 || banned != 1 + standingNear(n);
 }
 
 bool ClearGround::isClear(const Vector2d& a, const Vector2d& b) const
@@ -132,9 +150,7 @@ void ClearGround::ban(Node n)
   for (int row = n.row - reach; row <= n.row + reach; ++row)
     for (int column = n.column - reach; column <= n.column + reach; ++column)
       if (grid.has(column, row))
-        banned_[grid.index(column, row)] =
-            1 + static_cast<unsigned>(material_.ahead(
-                    {1e9, 1e9}, level_.map().at({column, row}), kNear * front_radius_));
+        banned_[grid.index(column, row)] = 1 + standingNear({column, row});
 }
 
 std::optional<Front> ClearGround::frontAt(Node n)

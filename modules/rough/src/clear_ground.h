@@ -61,18 +61,22 @@ public:
 
 private:
   std::optional<Front> frontAt(Node n);
-  void refresh();
-  bool isToCut(Node n) const;
-  bool looksClear(const Eigen::Vector2d& p) const;
+  void clearFarOff();
+  bool isToCut(Node n);
+  bool isCrumb(Node n);
+  unsigned standingNear(Node n) const;
 
   const Level& level_;
   const Material& material_;
   double side_, clear_radius_, front_radius_, crumb_;
-  std::vector<unsigned char> clear_; // known to be
+  // Nodes known to be clear, and to have no more than a crumb round them: for good, as
+  // material is only taken while one looks.
+  std::vector<unsigned char> clear_, crumbs_;
+  // What stands in the way of a node and what it would cut, as last seen.
+  std::vector<Material::Place> obstacle_, work_;
   std::vector<unsigned> seen_, banned_;
   std::vector<std::size_t> from_;
   unsigned search_ = 0;
-  std::size_t looked_ = 0; // at nodes since all were refreshed
 };
 
 } // namespace pointmill
