@@ -48,6 +48,8 @@ ClearGround::ClearGround(const Level& level, const Material& material, double si
   seen_.assign(grid.size(), 0);
   banned_.assign(grid.size(), 0);
   from_.assign(grid.size(), 0);
+  known_.assign(4 * grid.size(), 0);
+  begins_ = known_;
   clearFarOff();
 }
 
@@ -153,15 +155,7 @@ void ClearGround::ban(Node n)
         banned_[grid.index(column, row)] = 1 + standingNear({column, row});
 }
 
-std::optional<Front> ClearGround::frontAt(Node n)
-{
-  for (int d = 0; d < 4; ++d)
-    if (isFront({n, d}))
-      return Front{n, d};
-  return {};
-}
-
-std::optional<Front> ClearGround::nearest(const Vector2d& from, std::vector<Node>& way)
+std::optional<Front> ClearGround::next(const Vector2d& from, std::vector<Node>& way)
 {
   const CellGrid& grid = level_.map().grid();
   ++search_;
@@ -190,21 +184,43 @@ std::optional<Front> ClearGround::nearest(const Vector2d& from, std::vector<Node
   for (std::size_t k = 0; k < open.size(); ++k) {
     const std::size_t i = open[k];
     const Node n{int(i % grid.columns), int(i / grid.columns)};
-    if (const auto front = frontAt(n)) {
-      way.clear();
-      for (std::size_t j = i; j != kStart; j = from_[j])
-        way.push_back({int(j % grid.columns), int(j / grid.columns)});
-      std::reverse(way.begin(), way.end());
-      return front;
-    }
+    for (int d = 0; d < 4; ++d)
+      if (known_[4 * i + d] != search_ && isFront({n, d}))
+        markBeginning({n, d});
+    for (int d = 0; d < 4; ++d)
+      if (begins_[4 * i + d] == search_) {
+        way.clear();
+        for (std::size_t j = i; j != kStart; j = from_[j])
+          way.push_back({int(j % grid.columns), int(j / grid.columns)});
+        std::reverse(way.begin(), way.end());
+        return Front{n, d};
+      }
     for (int d = 0; d < 4; ++d) {
-      const Node next = n + direction(d);
-      if (grid.has(next.column, next.row) &&
-          seen_[grid.index(next.column, next.row)] != search_ && isClear(next))
-        push(next, i);
+      const Node on = n + direction(d);
+      if (grid.has(on.column, on.row) &&
+          seen_[grid.index(on.column, on.row)] != search_ && isClear(on))
+        push(on, i);
     }
   }
   return {};
+}
+
+/// Where the stretch of a front that is not known yet begins.
+void ClearGround::markBeginning(const Front& front)
+{
+  const auto key = [&](const Front& edge) {
+    return 4 * level_.map().index(edge.at) + static_cast<std::size_t>(edge.direction);
+  };
+  known_[key(front)] = search_;
+  bool joins = false;
+  std::vector<Node> way;
+  const Front begin = traced(front, way, [&](const Front& edge) {
+    joins = known_[key(edge)] == search_;
+    known_[key(edge)] = search_;
+    return !joins;
+  });
+  if (!joins)
+    begins_[key(begin)] = search_;
 }
 
 std::vector<Vector2d>
@@ -274,30 +290,38 @@ std::optional<Front> ClearGround::anywhere(const Vector2d& from)
   return best;
 }
 
-Front ClearGround::beginning(const Front& front, std::vector<Node>& way)
+/// One node back along the edge of the clear ground, the material on the other side.
+Front ClearGround::before(Front at, std::vector<Node>& way)
 {
-  // Backwards along the edge of the clear ground, the material on the other side.
-  const CellGrid& grid = level_.map().grid();
   const int left = side_ > 0 ? 1 : 3;
+  const int forward = (at.direction + 4 - left) & 3;
+  const Node ahead = at.at + direction(forward);
+  const Node corner = ahead + direction(at.direction);
+  if (!isClear(ahead))
+    at.direction = forward;
+  else if (!isClear(corner))
+    at.at = ahead;
+  else {
+    way.push_back(ahead);
+    at.at = corner;
+    at.direction = (forward + 2) & 3;
+  }
+  if (way.empty() || way.back() != at.at)
+    way.push_back(at.at);
+  return at;
+}
+
+/// Back along a front to its beginning, as long as go_on(edge) holds.
+template <typename GoOn>
+Front ClearGround::traced(const Front& front, std::vector<Node>& way, GoOn&& go_on)
+{
+  const CellGrid& grid = level_.map().grid();
   Front at = front, begin = front;
   const std::size_t most = 4 * grid.size(), length = way.size();
   std::size_t kept = length;
   double gap = 0;
   for (std::size_t i = 0; i < most; ++i) {
-    const int forward = (at.direction + 4 - left) & 3;
-    const Node ahead = at.at + direction(forward);
-    const Node corner = ahead + direction(at.direction);
-    if (!isClear(ahead))
-      at.direction = forward;
-    else if (!isClear(corner))
-      at.at = ahead;
-    else {
-      way.push_back(ahead);
-      at.at = corner;
-      at.direction = (forward + 2) & 3;
-    }
-    if (way.empty() || way.back() != at.at)
-      way.push_back(at.at);
+    at = before(at, way);
     if (at.at == front.at && at.direction == front.direction) {
       way.resize(length); // round in a ring
       return front;
@@ -307,12 +331,19 @@ Front ClearGround::beginning(const Front& front, std::vector<Node>& way)
       begin = at;
       kept = way.size();
       gap = 0;
+      if (!go_on(at))
+        break;
     }
     if (gap > kInterruption * front_radius_ + 2 * grid.cell)
       break;
   }
   way.resize(kept);
   return begin;
+}
+
+Front ClearGround::beginning(const Front& front, std::vector<Node>& way)
+{
+  return traced(front, way, [](const Front&) { return true; });
 }
 
 } // namespace pointmill

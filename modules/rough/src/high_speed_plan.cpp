@@ -111,15 +111,19 @@ std::vector<LevelPath> HighSpeedPlan::clear()
   for (;;) {
     std::vector<Node> way;
     if (tool_)
-      if (const auto front = ground_.nearest(tool_->at, way)) {
+      if (const auto front = ground_.next(tool_->at, way)) {
         if (!cutFrom(*front, way, true))
           ground_.ban(front->beyond());
         continue;
       }
     const Vector2d from = tool_ ? tool_->at : level_.map().at({0, 0});
     if (const auto front = ground_.anywhere(from)) {
-      if (!cutFrom(*front, {front->at}, false))
+      std::vector<Node> there{front->at};
+      const Front first = ground_.beginning(*front, there);
+      if (!cutFrom(first, there, false)) {
+        ground_.ban(first.beyond());
         ground_.ban(front->beyond());
+      }
       continue;
     }
     if (!enter())
@@ -160,19 +164,17 @@ void HighSpeedPlan::add(const Vector2d& at, Motion motion)
   points.push_back({p, motion});
 }
 
-bool HighSpeedPlan::cutFrom(const Front& front, std::vector<Node> way, bool linked)
+bool HighSpeedPlan::cutFrom(const Front& first,
+                            const std::vector<Node>& way,
+                            bool linked)
 {
-  const Front first = ground_.beginning(front, way);
   const double r = walker_.limits().radius;
   Pose start{level_.map().at(first.at), 0};
   const Vector2d to = material_.middleToCut(start.at, r + 2 * level_.map().grid().cell);
   start.heading = headingOf(start.at, to) + settings_.side * M_PI / 2;
   const Walk walk = bestWalk(start);
-  if (walk.area < ground_.crumb()) {
-    if (first.at != front.at || first.direction != front.direction)
-      ground_.ban(first.beyond());
+  if (walk.area < ground_.crumb())
     return false;
-  }
   if (linked && tool_) {
     start.heading = headingOf(walk.points[0], walk.points[1]);
     const auto link = smoothLink(level_, ground_, *tool_, start, way, kLinkTurn * r);

@@ -27,7 +27,7 @@ public:
   void report(Report& figures) const;
 
 private:
-  bool cutFrom(const Front& front, std::vector<Node> way, bool linked);
+  bool cutFrom(const Front& first, const std::vector<Node>& way, bool linked);
   Walk bestWalk(const Pose& start);
   void follow(const Walk& walk);
   bool enter();
