@@ -50,6 +50,7 @@ ClearGround::ClearGround(const Level& level, const Material& material, double si
   from_.assign(grid.size(), 0);
   known_.assign(4 * grid.size(), 0);
   begins_ = known_;
+  done_.assign(4 * grid.size(), 0);
   clearFarOff();
 }
 
@@ -77,10 +78,12 @@ void ClearGround::clearFarOff()
 
 bool ClearGround::isClear(Node n)
 {
-  if (!level_.isFree(n))
+  if (!level_.map().has(n))
     return false;
   unsigned char& known = clear_[level_.map().index(n)];
   if (!known) {
+    if (!level_.isFree(n))
+      return false;
     Material::Place& obstacle = obstacle_[level_.map().index(n)];
     if (obstacle.row >= 0 &&
         material_.at(obstacle.column, obstacle.row) != Material::Air)
@@ -129,15 +132,21 @@ bool ClearGround::isCrumb(Node n)
 bool ClearGround::isFront(const Front& edge)
 {
   const Node n = edge.beyond();
-  if (!level_.isFree(n) || isClear(n))
+  unsigned char& done = done_[keyOf(edge)];
+  if (done)
     return false;
   // The nodes may lie so that the next one only brushes what stands there.
-  if (!isToCut(n) && !isToCut(n + direction(edge.direction)))
-    return false;
-  if (isCrumb(n))
+  done = !level_.isFree(n) || isClear(n) ||
+         (!isToCut(n) && !isToCut(n + direction(edge.direction))) || isCrumb(n);
+  if (done)
     return false;
   const unsigned banned = banned_[level_.map().index(n)];
   return banned == 0 || banned != 1 + standingNear(n);
+}
+
+std::size_t ClearGround::keyOf(const Front& edge) const
+{
+  return 4 * level_.map().index(edge.at) + static_cast<std::size_t>(edge.direction);
 }
 
 bool ClearGround::isClear(const Vector2d& a, const Vector2d& b) const
@@ -184,23 +193,23 @@ std::optional<Front> ClearGround::next(const Vector2d& from, std::vector<Node>& 
   for (std::size_t k = 0; k < open.size(); ++k) {
     const std::size_t i = open[k];
     const Node n{int(i % grid.columns), int(i / grid.columns)};
-    for (int d = 0; d < 4; ++d)
-      if (known_[4 * i + d] != search_ && isFront({n, d}))
+    for (int d = 0; d < 4; ++d) {
+      const Node on = n + direction(d);
+      if (isClear(on)) {
+        if (seen_[grid.index(on.column, on.row)] != search_)
+          push(on, i);
+      }
+      else if (known_[keyOf({n, d})] != search_ && isFront({n, d}))
         markBeginning({n, d});
+    }
     for (int d = 0; d < 4; ++d)
-      if (begins_[4 * i + d] == search_) {
+      if (begins_[keyOf({n, d})] == search_) {
         way.clear();
         for (std::size_t j = i; j != kStart; j = from_[j])
           way.push_back({int(j % grid.columns), int(j / grid.columns)});
         std::reverse(way.begin(), way.end());
         return Front{n, d};
       }
-    for (int d = 0; d < 4; ++d) {
-      const Node on = n + direction(d);
-      if (grid.has(on.column, on.row) &&
-          seen_[grid.index(on.column, on.row)] != search_ && isClear(on))
-        push(on, i);
-    }
   }
   return {};
 }
@@ -208,19 +217,16 @@ std::optional<Front> ClearGround::next(const Vector2d& from, std::vector<Node>& 
 /// Where the stretch of a front that is not known yet begins.
 void ClearGround::markBeginning(const Front& front)
 {
-  const auto key = [&](const Front& edge) {
-    return 4 * level_.map().index(edge.at) + static_cast<std::size_t>(edge.direction);
-  };
-  known_[key(front)] = search_;
+  known_[keyOf(front)] = search_;
   bool joins = false;
   std::vector<Node> way;
   const Front begin = traced(front, way, [&](const Front& edge) {
-    joins = known_[key(edge)] == search_;
-    known_[key(edge)] = search_;
+    joins = known_[keyOf(edge)] == search_;
+    known_[keyOf(edge)] = search_;
     return !joins;
   });
   if (!joins)
-    begins_[key(begin)] = search_;
+    begins_[keyOf(begin)] = search_;
 }
 
 std::vector<Vector2d>

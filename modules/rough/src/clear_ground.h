@@ -61,6 +61,7 @@ public:
   Front beginning(const Front& front, std::vector<Node>& way);
 
 private:
+  std::size_t keyOf(const Front& edge) const;
   void markBeginning(const Front& front);
   Front before(Front at, std::vector<Node>& way);
   template <typename GoOn>
@@ -80,6 +81,7 @@ private:
   std::vector<Material::Place> obstacle_, work_;
   std::vector<unsigned> seen_, banned_;
   std::vector<unsigned> known_, begins_; // of nodes and directions
+  std::vector<unsigned char> done_;      // of these, for good: no fronts any more
   std::vector<std::size_t> from_;
   unsigned search_ = 0;
 };

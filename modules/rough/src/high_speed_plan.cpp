@@ -29,7 +29,7 @@ constexpr double kLeastHelix = 0.25; // its radius
 constexpr double kMostHelix = 0.75;
 constexpr double kShortestTrack = 0.5; // of a ramp forth and back
 /// A skin is skimmed off from this thickness on, of a node's cell.
-constexpr double kThinnest = 0.5;
+constexpr double kThinnest = 0.3;
 constexpr double kFairArea = 0.2; // in squares; of a walk that need not be bettered
 /// The widest cut that a walk can be steered by, of the diameter.
 constexpr double kWidest = 0.85;
@@ -130,6 +130,13 @@ std::vector<LevelPath> HighSpeedPlan::clear()
       break;
   }
   skim();
+  std::vector<Node> narrow;
+  const CellGrid& grid = level_.map().grid();
+  for (int row = 0; row < grid.rows; ++row)
+    for (int column = 0; column < grid.columns; ++column)
+      if (no_entry_[grid.index(column, row)])
+        narrow.push_back({column, row});
+  narrow_ = areaUnder(narrow, std::numeric_limits<double>::infinity());
   return std::move(paths_);
 }
 
@@ -332,7 +339,6 @@ bool HighSpeedPlan::enter()
         ;
       return true;
     }
-    narrow_ += areaUnder(piece, std::numeric_limits<double>::infinity());
     for (const Node n : piece)
       no_entry_[map.index(n)] = 1;
     all.erase(std::remove_if(all.begin(),
