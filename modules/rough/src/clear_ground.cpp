@@ -22,8 +22,8 @@ constexpr double kInterruption = 0.3;
 constexpr double kCrumb = 0.02; // of the radius squared: not worth a walk
 constexpr double kPlace = 2;    // of the radius: what is taken together for that
 constexpr double kBanned = 0.1; // of the radius: as good as the same start
-/// Looking at so many cells costs what it costs to find a node clear.
-constexpr std::size_t kLooksPerRefresh = 64;
+/// There is nothing to cut at a node, for good.
+constexpr Material::Place kNothing{-2, -2};
 
 } // namespace
 
@@ -42,22 +42,30 @@ ClearGround::ClearGround(const Level& level, const Material& material, double si
   clear_radius_ = radius - skin / 2;
   crumb_ = kCrumb * radius * radius;
   clear_.assign(grid.size(), 0);
+  crumbs_ = clear_;
+  obstacle_.assign(grid.size(), {-1, -1});
+  work_ = obstacle_;
   seen_.assign(grid.size(), 0);
   banned_.assign(grid.size(), 0);
   from_.assign(grid.size(), 0);
-  refresh();
+  known_.assign(4 * grid.size(), 0);
+  begins_ = known_;
+  done_.assign(4 * grid.size(), 0);
+  clearFarOff();
 }
 
 /// Far from all that stands everything is clear.
-void ClearGround::refresh()
+void ClearGround::clearFarOff()
 {
   const CellGrid &grid = level_.map().grid(), &cells = material_.grid();
   const int parts = cells.columns / grid.columns;
   std::vector<unsigned char> stands(grid.size(), 0);
-  for (int row = 0; row < cells.rows; ++row)
-    for (int column = 0; column < cells.columns; ++column)
-      if (material_.at(column, row) != Material::Air)
-        stands[grid.index(column / parts, row / parts)] = 1;
+  for (int row = 0; row < grid.rows; ++row)
+    for (int column = 0; column < grid.columns; ++column) {
+      const int middle = parts / 2; // all parts of a cell are alike at first
+      stands[grid.index(column, row)] =
+          material_.at(column * parts + middle, row * parts + middle) != Material::Air;
+    }
   const auto away = distanceField(stands, grid.columns, grid.rows);
   for (int row = 0; row < grid.rows; ++row)
     for (int column = 0; column < grid.columns; ++column) {
@@ -66,58 +74,79 @@ void ClearGround::refresh()
           away[i] * grid.cell > clear_radius_ + grid.cell)
         clear_[i] = 1;
     }
-  looked_ = 0;
 }
 
 bool ClearGround::isClear(Node n)
 {
-  if (!level_.isFree(n))
+  if (!level_.map().has(n))
     return false;
   unsigned char& known = clear_[level_.map().index(n)];
   if (!known) {
-    const Vector2d p = level_.map().at(n);
-    known = looksClear(p) && material_.isClear(p, p, clear_radius_);
-    looked_ += known;
-    if (looked_ > material_.grid().size() / kLooksPerRefresh)
-      refresh();
+    if (!level_.isFree(n))
+      return false;
+    Material::Place& obstacle = obstacle_[level_.map().index(n)];
+    if (obstacle.row >= 0 &&
+        material_.at(obstacle.column, obstacle.row) != Material::Air)
+      return false;
+    const auto found = material_.anyStanding(level_.map().at(n), clear_radius_);
+    if (found)
+      obstacle = *found;
+    known = !found;
   }
   return known;
 }
 
-/// A few places first: most of what is not clear shows there.
-bool ClearGround::looksClear(const Vector2d& p) const
+bool ClearGround::isToCut(Node n)
 {
-  constexpr int kPlaces = 8;
-  bool clear = material_.at(p) == Material::Air;
-  for (int i = 0; clear && i < kPlaces; ++i) {
-    const double angle = 2 * M_PI * i / kPlaces;
-    const Vector2d rim(std::cos(angle), std::sin(angle));
-    clear = material_.at(Vector2d(p + 0.95 * clear_radius_ * rim)) == Material::Air;
-  }
-  return clear;
+  if (!level_.isFree(n))
+    return false;
+  Material::Place& work = work_[level_.map().index(n)];
+  if (work.row == kNothing.row)
+    return false;
+  if (work.row >= 0 && material_.at(work.column, work.row) == Material::ToCut)
+    return true;
+  const auto found = material_.anyToCut(level_.map().at(n), front_radius_);
+  work = found.value_or(kNothing);
+  return found.has_value();
 }
 
-bool ClearGround::isToCut(Node n) const
+/// What a start at the node depends on, as a number.
+unsigned ClearGround::standingNear(Node n) const
 {
-  return level_.isFree(n) && material_.toCut(level_.map().at(n), front_radius_, 0) > 0;
+  const Vector2d p = level_.map().at(n);
+  return static_cast<unsigned>(material_.standing(
+      p, p, kNear * front_radius_, std::numeric_limits<std::size_t>::max()));
+}
+
+bool ClearGround::isCrumb(Node n)
+{
+  unsigned char& known = crumbs_[level_.map().index(n)];
+  if (!known) {
+    const double cell = material_.grid().cell;
+    const auto crumb = static_cast<std::size_t>(crumb_ / (cell * cell));
+    known = material_.toCut(level_.map().at(n), kPlace * front_radius_, crumb) <= crumb;
+  }
+  return known;
 }
 
 bool ClearGround::isFront(const Front& edge)
 {
   const Node n = edge.beyond();
-  if (!level_.isFree(n) || isClear(n))
+  unsigned char& done = done_[keyOf(edge)];
+  if (done)
     return false;
   // The nodes may lie so that the next one only brushes what stands there.
-  if (!isToCut(n) && !isToCut(n + direction(edge.direction)))
-    return false;
-  const double cell = material_.grid().cell;
-  const auto crumb = static_cast<std::size_t>(crumb_ / (cell * cell));
-  if (material_.toCut(level_.map().at(n), kPlace * front_radius_, crumb) <= crumb)
+  done = !level_.isFree(n) || isClear(n) ||
+         (!isToCut(n) && !isToCut(n + direction(edge.direction))) || isCrumb(n);
+  if (done)
     return false;
   const unsigned banned = banned_[level_.map().index(n)];
-  return banned == 0 ||
-         banned !=
-             1 + material_.ahead({1e9, 1e9}, level_.map().at(n), kNear * front_radius_);
+  return banned == 0 || banned != 1 + standingNear(n);
+}
+
+std::size_t ClearGround::keyOf(const Front& edge) const
+{
+  return 4 * level_.map().index(edge.at) + static_cast<std::size_t>(edge.direction);
 }
 
 bool ClearGround::isClear(const Vector2d& a, const Vector2d& b) const
@@ -132,20 +161,10 @@ void ClearGround::ban(Node n)
   for (int row = n.row - reach; row <= n.row + reach; ++row)
     for (int column = n.column - reach; column <= n.column + reach; ++column)
       if (grid.has(column, row))
-        banned_[grid.index(column, row)] =
-            1 + static_cast<unsigned>(material_.ahead(
-                    {1e9, 1e9}, level_.map().at({column, row}), kNear * front_radius_));
+        banned_[grid.index(column, row)] = 1 + standingNear({column, row});
 }
 
-std::optional<Front> ClearGround::frontAt(Node n)
-{
-  for (int d = 0; d < 4; ++d)
-    if (isFront({n, d}))
-      return Front{n, d};
-  return {};
-}
-
-std::optional<Front> ClearGround::nearest(const Vector2d& from, std::vector<Node>& way)
+std::optional<Front> ClearGround::next(const Vector2d& from, std::vector<Node>& way)
 {
   const CellGrid& grid = level_.map().grid();
   ++search_;
@@ -174,21 +193,40 @@ std::optional<Front> ClearGround::nearest(const Vector2d& from, std::vector<Node
   for (std::size_t k = 0; k < open.size(); ++k) {
     const std::size_t i = open[k];
     const Node n{int(i % grid.columns), int(i / grid.columns)};
-    if (const auto front = frontAt(n)) {
-      way.clear();
-      for (std::size_t j = i; j != kStart; j = from_[j])
-        way.push_back({int(j % grid.columns), int(j / grid.columns)});
-      std::reverse(way.begin(), way.end());
-      return front;
-    }
     for (int d = 0; d < 4; ++d) {
-      const Node next = n + direction(d);
-      if (grid.has(next.column, next.row) &&
-          seen_[grid.index(next.column, next.row)] != search_ && isClear(next))
-        push(next, i);
+      const Node on = n + direction(d);
+      if (isClear(on)) {
+        if (seen_[grid.index(on.column, on.row)] != search_)
+          push(on, i);
+      }
+      else if (known_[keyOf({n, d})] != search_ && isFront({n, d}))
+        markBeginning({n, d});
     }
+    for (int d = 0; d < 4; ++d)
+      if (begins_[keyOf({n, d})] == search_) {
+        way.clear();
+        for (std::size_t j = i; j != kStart; j = from_[j])
+          way.push_back({int(j % grid.columns), int(j / grid.columns)});
+        std::reverse(way.begin(), way.end());
+        return Front{n, d};
+      }
   }
   return {};
+}
+
+/// Where the stretch of a front that is not known yet begins.
+void ClearGround::markBeginning(const Front& front)
+{
+  known_[keyOf(front)] = search_;
+  bool joins = false;
+  std::vector<Node> way;
+  const Front begin = traced(front, way, [&](const Front& edge) {
+    joins = known_[keyOf(edge)] == search_;
+    known_[keyOf(edge)] = search_;
+    return !joins;
+  });
+  if (!joins)
+    begins_[keyOf(begin)] = search_;
 }
 
 std::vector<Vector2d>
@@ -258,30 +296,38 @@ std::optional<Front> ClearGround::anywhere(const Vector2d& from)
   return best;
 }
 
-Front ClearGround::beginning(const Front& front, std::vector<Node>& way)
+/// One node back along the edge of the clear ground, the material on the other side.
+Front ClearGround::before(Front at, std::vector<Node>& way)
 {
-  // Backwards along the edge of the clear ground, the material on the other side.
-  const CellGrid& grid = level_.map().grid();
   const int left = side_ > 0 ? 1 : 3;
+  const int forward = (at.direction + 4 - left) & 3;
+  const Node ahead = at.at + direction(forward);
+  const Node corner = ahead + direction(at.direction);
+  if (!isClear(ahead))
+    at.direction = forward;
+  else if (!isClear(corner))
+    at.at = ahead;
+  else {
+    way.push_back(ahead);
+    at.at = corner;
+    at.direction = (forward + 2) & 3;
+  }
+  if (way.empty() || way.back() != at.at)
+    way.push_back(at.at);
+  return at;
+}
+
+/// Back along a front to its beginning, as long as go_on(edge) holds.
+template <typename GoOn>
+Front ClearGround::traced(const Front& front, std::vector<Node>& way, GoOn&& go_on)
+{
+  const CellGrid& grid = level_.map().grid();
   Front at = front, begin = front;
   const std::size_t most = 4 * grid.size(), length = way.size();
   std::size_t kept = length;
   double gap = 0;
   for (std::size_t i = 0; i < most; ++i) {
-    const int forward = (at.direction + 4 - left) & 3;
-    const Node ahead = at.at + direction(forward);
-    const Node corner = ahead + direction(at.direction);
-    if (!isClear(ahead))
-      at.direction = forward;
-    else if (!isClear(corner))
-      at.at = ahead;
-    else {
-      way.push_back(ahead);
-      at.at = corner;
-      at.direction = (forward + 2) & 3;
-    }
-    if (way.empty() || way.back() != at.at)
-      way.push_back(at.at);
+    at = before(at, way);
     if (at.at == front.at && at.direction == front.direction) {
       way.resize(length); // round in a ring
       return front;
@@ -291,12 +337,19 @@ Front ClearGround::beginning(const Front& front, std::vector<Node>& way)
       begin = at;
       kept = way.size();
       gap = 0;
+      if (!go_on(at))
+        break;
     }
     if (gap > kInterruption * front_radius_ + 2 * grid.cell)
       break;
   }
   way.resize(kept);
   return begin;
+}
+
+Front ClearGround::beginning(const Front& front, std::vector<Node>& way)
+{
+  return traced(front, way, [](const Front&) { return true; });
 }
 
 } // namespace pointmill

@@ -45,9 +45,10 @@ public:
   /// @brief Starting towards @p n has failed.
   void ban(Node n);
 
-  /// @brief The nearest front over clear ground from @p from.
+  /// @brief The nearest place over clear ground from @p from at which a front begins,
+  /// for a tool that is to cut along it; anywhere on one that runs round in a ring.
   /// @param way the nodes that lead there
-  std::optional<Front> nearest(const Eigen::Vector2d& from, std::vector<Node>& way);
+  std::optional<Front> next(const Eigen::Vector2d& from, std::vector<Node>& way);
   /// @brief The shortest way from @p from to the nearest of the nodes of @p to that
   /// takes no more than @p most cells at a time; empty where there is none.
   std::vector<Eigen::Vector2d>
@@ -60,19 +61,29 @@ public:
   Front beginning(const Front& front, std::vector<Node>& way);
 
 private:
-  std::optional<Front> frontAt(Node n);
-  void refresh();
-  bool isToCut(Node n) const;
-  bool looksClear(const Eigen::Vector2d& p) const;
+  std::size_t keyOf(const Front& edge) const;
+  void markBeginning(const Front& front);
+  Front before(Front at, std::vector<Node>& way);
+  template <typename GoOn>
+  Front traced(const Front& front, std::vector<Node>& way, GoOn&& go_on);
+  void clearFarOff();
+  bool isToCut(Node n);
+  bool isCrumb(Node n);
+  unsigned standingNear(Node n) const;
 
   const Level& level_;
   const Material& material_;
   double side_, clear_radius_, front_radius_, crumb_;
-  std::vector<unsigned char> clear_; // known to be
+  // Nodes known to be clear, and to have no more than a crumb round them: for good, as
+  // material is only taken while one looks.
+  std::vector<unsigned char> clear_, crumbs_;
+  // What stands in the way of a node and what it would cut, as last seen.
+  std::vector<Material::Place> obstacle_, work_;
   std::vector<unsigned> seen_, banned_;
+  std::vector<unsigned> known_, begins_; // of nodes and directions
+  std::vector<unsigned char> done_;      // of these, for good: no fronts any more
   std::vector<std::size_t> from_;
   unsigned search_ = 0;
-  std::size_t looked_ = 0; // at nodes since all were refreshed
 };
 
 } // namespace pointmill

@@ -29,7 +29,7 @@ constexpr double kLeastHelix = 0.25; // its radius
 constexpr double kMostHelix = 0.75;
 constexpr double kShortestTrack = 0.5; // of a ramp forth and back
 /// A skin is skimmed off from this thickness on, of a node's cell.
-constexpr double kThinnest = 0.5;
+constexpr double kThinnest = 0.3;
 constexpr double kFairArea = 0.2; // in squares; of a walk that need not be bettered
 /// The widest cut that a walk can be steered by, of the diameter.
 constexpr double kWidest = 0.85;
@@ -111,21 +111,32 @@ std::vector<LevelPath> HighSpeedPlan::clear()
   for (;;) {
     std::vector<Node> way;
     if (tool_)
-      if (const auto front = ground_.nearest(tool_->at, way)) {
+      if (const auto front = ground_.next(tool_->at, way)) {
         if (!cutFrom(*front, way, true))
           ground_.ban(front->beyond());
         continue;
       }
     const Vector2d from = tool_ ? tool_->at : level_.map().at({0, 0});
     if (const auto front = ground_.anywhere(from)) {
-      if (!cutFrom(*front, {front->at}, false))
+      std::vector<Node> there{front->at};
+      const Front first = ground_.beginning(*front, there);
+      if (!cutFrom(first, there, false)) {
+        ground_.ban(first.beyond());
         ground_.ban(front->beyond());
+      }
       continue;
     }
     if (!enter())
       break;
   }
   skim();
+  std::vector<Node> narrow;
+  const CellGrid& grid = level_.map().grid();
+  for (int row = 0; row < grid.rows; ++row)
+    for (int column = 0; column < grid.columns; ++column)
+      if (no_entry_[grid.index(column, row)])
+        narrow.push_back({column, row});
+  narrow_ = areaUnder(narrow, std::numeric_limits<double>::infinity());
   return std::move(paths_);
 }
 
@@ -160,19 +171,17 @@ void HighSpeedPlan::add(const Vector2d& at, Motion motion)
   points.push_back({p, motion});
 }
 
-bool HighSpeedPlan::cutFrom(const Front& front, std::vector<Node> way, bool linked)
+bool HighSpeedPlan::cutFrom(const Front& first,
+                            const std::vector<Node>& way,
+                            bool linked)
 {
-  const Front first = ground_.beginning(front, way);
   const double r = walker_.limits().radius;
   Pose start{level_.map().at(first.at), 0};
   const Vector2d to = material_.middleToCut(start.at, r + 2 * level_.map().grid().cell);
   start.heading = headingOf(start.at, to) + settings_.side * M_PI / 2;
   const Walk walk = bestWalk(start);
-  if (walk.area < ground_.crumb()) {
-    if (first.at != front.at || first.direction != front.direction)
-      ground_.ban(first.beyond());
+  if (walk.area < ground_.crumb())
     return false;
-  }
   if (linked && tool_) {
     start.heading = headingOf(walk.points[0], walk.points[1]);
     const auto link = smoothLink(level_, ground_, *tool_, start, way, kLinkTurn * r);
@@ -250,40 +259,45 @@ Descent HighSpeedPlan::descentOver(const std::vector<Vector2d>& track) const
 }
 
 /// What is left to cut under the tool at these nodes; no more than about `enough`.
-double HighSpeedPlan::areaUnder(const std::vector<Node>& nodes, double enough) const
+double HighSpeedPlan::areaUnder(const std::vector<Node>& nodes, double enough)
 {
-  const CellGrid& grid = material_.grid();
-  std::vector<unsigned char> seen(grid.size(), 0);
-  const double cell2 = grid.cell * grid.cell;
-  double area = 0;
-  for (std::size_t k = 0; k < nodes.size() && area < enough; ++k) {
+  const double cell = material_.grid().cell;
+  const std::size_t before = material_.left();
+  const auto area = [&] {
+    return static_cast<double>(before - material_.left()) * cell * cell;
+  };
+  Material::Log log;
+  for (std::size_t k = 0; k < nodes.size() && area() < enough; ++k) {
     const Vector2d p = level_.map().at(nodes[k]);
-    forCapsule(grid, p, p, ground_.frontRadius(), [&](int row, int first, int last) {
-      for (int column = first; column <= last; ++column) {
-        unsigned char& cell = seen[grid.index(column, row)];
-        if (!cell && material_.at(column, row) == Material::ToCut) {
-          cell = 1;
-          area += cell2;
-        }
-      }
-    });
+    material_.cut(p, p, ground_.frontRadius(), &log);
   }
-  return area;
+  const double found = area();
+  material_.restore(log, 0);
+  return found;
 }
 
-/// The open node nearest to the middle of those with so much room.
-Node HighSpeedPlan::middleOf(const std::vector<unsigned char>& open, double room) const
+/// Whether moving the tool along the way would cut what is to be cut.
+bool HighSpeedPlan::wouldCut(const std::vector<Vector2d>& way)
+{
+  Material::Log log;
+  const std::size_t before = material_.left();
+  for (std::size_t i = 1; i < way.size() && material_.left() == before; ++i)
+    material_.cut(way[i - 1], way[i], walker_.limits().radius, &log);
+  const bool cuts = material_.left() < before;
+  material_.restore(log, 0);
+  return cuts;
+}
+
+/// The node nearest to the middle of those with so much room.
+Node HighSpeedPlan::middleOf(const std::vector<Node>& nodes, double room) const
 {
   const LevelMap& map = level_.map();
   std::vector<Node> wide;
   Vector2d sum(0, 0);
-  for (int row = 0; row < map.grid().rows; ++row)
-    for (int column = 0; column < map.grid().columns; ++column) {
-      const Node n{column, row};
-      if (open[map.index(n)] && walker_.roomAt(map.at(n)) >= room) {
-        wide.push_back(n);
-        sum += map.at(n);
-      }
+  for (const Node n : nodes)
+    if (walker_.roomAt(map.at(n)) >= room) {
+      wide.push_back(n);
+      sum += map.at(n);
     }
   const Vector2d middle = sum / static_cast<double>(wide.size());
   return *std::min_element(wide.begin(), wide.end(), [&](Node a, Node b) {
@@ -296,25 +310,52 @@ bool HighSpeedPlan::enter()
   // Places that no walk from clear ground gets to, a connected piece at a time: the
   // one with the widest spot first.
   const LevelMap& map = level_.map();
+  const CellGrid& grid = map.grid();
+  const double r = walker_.limits().radius;
   auto open = material_.nodesToCut(ground_.frontRadius());
-  double room = -1;
-  for (int row = 0; row < map.grid().rows; ++row)
-    for (int column = 0; column < map.grid().columns; ++column) {
-      const std::size_t i = map.index({column, row});
-      open[i] = open[i] && level_.isFree(Node{column, row}) && !no_entry_[i];
-      if (open[i])
-        room = std::max(room, walker_.roomAt(map.at({column, row})));
-    }
-  if (room < 0)
-    return false;
-  const Node widest = middleOf(open, room - map.grid().cell);
   std::vector<Node> all;
-  for (int row = 0; row < map.grid().rows; ++row)
-    for (int column = 0; column < map.grid().columns; ++column)
-      if (open[map.index({column, row})])
-        all.push_back({column, row});
-  std::vector<Node> piece{widest};
-  open[map.index(widest)] = 0;
+  for (int row = 0; row < grid.rows; ++row)
+    for (int column = 0; column < grid.columns; ++column) {
+      const Node n{column, row};
+      const std::size_t i = map.index(n);
+      open[i] = open[i] && level_.isFree(n) && !no_entry_[i];
+      if (open[i])
+        all.push_back(n);
+    }
+  while (!all.empty()) {
+    double room = 0;
+    for (const Node n : all)
+      room = std::max(room, walker_.roomAt(map.at(n)));
+    const Node widest = middleOf(all, room - grid.cell);
+    const auto piece = takePiece(open, widest);
+    if (areaUnder(piece, ground_.crumb()) >= ground_.crumb()) {
+      if (room >= kLeastHelix * r && boreHelix(widest))
+        return true;
+      if (rampAlong(piece))
+        return true;
+    }
+    else if (sweepUp(all)) {
+      while (sweepUp(all))
+        ;
+      return true;
+    }
+    for (const Node n : piece)
+      no_entry_[map.index(n)] = 1;
+    all.erase(std::remove_if(all.begin(),
+                             all.end(),
+                             [&](Node n) { return no_entry_[map.index(n)] != 0; }),
+              all.end());
+  }
+  return false;
+}
+
+/// The connected piece of `open` that `first` is in; it is closed.
+std::vector<Node> HighSpeedPlan::takePiece(std::vector<unsigned char>& open,
+                                           Node first) const
+{
+  const LevelMap& map = level_.map();
+  std::vector<Node> piece{first};
+  open[map.index(first)] = 0;
   for (std::size_t k = 0; k < piece.size(); ++k)
     for (int d = 0; d < 4; ++d) {
       const Node n = piece[k] + direction(d);
@@ -323,22 +364,7 @@ bool HighSpeedPlan::enter()
         piece.push_back(n);
       }
     }
-  const double r = walker_.limits().radius;
-  if (areaUnder(piece, ground_.crumb()) >= ground_.crumb()) {
-    if (room >= kLeastHelix * r && boreHelix(widest))
-      return true;
-    if (rampAlong(piece))
-      return true;
-  }
-  else if (sweepUp(all)) {
-    while (sweepUp(all))
-      ;
-    return true;
-  }
-  narrow_ += areaUnder(piece, std::numeric_limits<double>::infinity());
-  for (const Node n : piece)
-    no_entry_[map.index(n)] = 1;
-  return true;
+  return piece;
 }
 
 /// The nearest crumb that is not worth a walk: to it through next to nothing.
@@ -447,7 +473,6 @@ bool HighSpeedPlan::boreHelix(Node centre)
   const double flat = level_.map().tool().flatRadius();
   const double radius = std::min(
       {walker_.roomAt(at), kMostHelix * r, std::max(kMostHelix * flat, r / 2)});
-  const std::size_t before = material_.left();
   const auto way =
       helix(level_,
             at,
@@ -456,10 +481,10 @@ bool HighSpeedPlan::boreHelix(Node centre)
             descentOver({at - Vector2d(radius, 0), at + Vector2d(radius, 0)}));
   if (!way)
     return false;
-  Material trial = material_;
-  for (std::size_t i = 1; i < way->size(); ++i)
-    trial.cut((*way)[i - 1].head<2>(), (*way)[i].head<2>(), r);
-  if (trial.left() == before)
+  std::vector<Vector2d> turn;
+  for (const auto& p : *way)
+    turn.emplace_back(p.head<2>());
+  if (!wouldCut(turn))
     return false;
   addEntry(*way);
   ++helices_;
@@ -509,10 +534,7 @@ bool HighSpeedPlan::rampAlong(const std::vector<Node>& piece)
   const double r = walker_.limits().radius;
   if (length < kShortestTrack * r)
     return false;
-  Material trial = material_;
-  for (std::size_t i = 1; i < pulled.size(); ++i)
-    trial.cut(pulled[i - 1], pulled[i], r);
-  if (trial.left() == material_.left())
+  if (!wouldCut(pulled))
     return false;
   addEntry(rampForthAndBack(pulled, level_.z(), descentOver(pulled)));
   slots_ += length;

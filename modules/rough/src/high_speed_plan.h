@@ -27,11 +27,12 @@ public:
   void report(Report& figures) const;
 
 private:
-  bool cutFrom(const Front& front, std::vector<Node> way, bool linked);
+  bool cutFrom(const Front& first, const std::vector<Node>& way, bool linked);
   Walk bestWalk(const Pose& start);
   void follow(const Walk& walk);
   bool enter();
-  Node middleOf(const std::vector<unsigned char>& open, double room) const;
+  Node middleOf(const std::vector<Node>& nodes, double room) const;
+  std::vector<Node> takePiece(std::vector<unsigned char>& open, Node first) const;
   bool sweepUp(const std::vector<Node>& places);
   void skim();
   bool skimAlong(const std::vector<Eigen::Vector2d>& wall);
@@ -41,7 +42,8 @@ private:
   void add(const Eigen::Vector2d& at, Motion motion);
   void addEntry(const std::vector<Eigen::Vector3d>& way);
   Descent descentOver(const std::vector<Eigen::Vector2d>& track) const;
-  double areaUnder(const std::vector<Node>& nodes, double enough) const;
+  double areaUnder(const std::vector<Node>& nodes, double enough);
+  bool wouldCut(const std::vector<Eigen::Vector2d>& way);
 
   const Level& level_;
   HighSpeedSettings settings_;

@@ -16,8 +16,9 @@ using Eigen::Vector2d;
 constexpr double kContact = 0.02; // of the radius; a narrower cut is air
 constexpr double kMostAir = 1.0;  // of the radius; then the walk has lost its material
 constexpr int kTrials = 5, kHalvings = 5;
-constexpr double kNear = 0.05; // a turn differs little from the last [rad]
-constexpr int kNearHalvings = 3;
+constexpr double kNear = 0.05;   // a turn differs little from the last [rad]
+constexpr double kFurther = 0.1; // or by so much more
+constexpr double kFine = 0.013;
 
 } // namespace
 
@@ -35,6 +36,8 @@ Walker::Walker(const Level& level, Material& material, const WalkLimits& limits)
     for (int column = 0; column < grid.columns; ++column)
       wall[grid.index(column, row)] = !level.isFree(Node{column, row});
   room_ = distanceField(wall, grid.columns, grid.rows);
+  const double cell = material.grid().cell;
+  most_ = static_cast<std::size_t>(limits.width * limits.step / (cell * cell));
 }
 
 double Walker::roomAt(const Vector2d& p) const
@@ -67,11 +70,12 @@ bool Walker::hasWayOut(const Pose& pose, WayOut kind) const
   Pose at = pose;
   for (int i = 0; i < 6; ++i) {
     const double radius = i < gentle ? limits_.radius : limits_.tightest;
+    const double chord = 2 * radius * std::sin(kPiece / 2);
     const Vector2d from = at.at;
     at.heading += limits_.side * kPiece / 2;
-    at.at = at.ahead(2 * radius * std::sin(kPiece / 2));
+    at.at = at.ahead(chord);
     at.heading += limits_.side * kPiece / 2;
-    if (!level_.isFree(from, at.at))
+    if (roomAt(from) <= chord && !level_.isFree(from, at.at))
       return false;
   }
   return true;
@@ -79,11 +83,10 @@ bool Walker::hasWayOut(const Pose& pose, WayOut kind) const
 
 bool Walker::mayGo(const Pose& to, const Vector2d& from, WayOut way_out) const
 {
-  if (!level_.isFree(from, to.at) || !hasWayOut(to, way_out))
-    return false;
-  const double cell = material_.grid().cell;
-  const auto taken = static_cast<double>(material_.ahead(from, to.at, limits_.radius));
-  return taken * cell * cell <= limits_.width * limits_.step;
+  // Where the tool comes from nothing stands any more.
+  return material_.standing(to.at, to.at, limits_.radius, most_) <= most_ &&
+         (roomAt(from) > limits_.step || level_.isFree(from, to.at)) &&
+         hasWayOut(to, way_out);
 }
 
 /// The turn nearest to `in` that may be gone.
@@ -117,9 +120,20 @@ Walker::Turn Walker::nearTurn(
     return mayGo(turned(pose, angle), pose.at, way_out);
   };
   double bad = guess - kNear, best = guess + kNear;
-  if (bad <= in || best >= out || good(bad) || !good(best))
-    return {0, false};
-  for (int k = 0; k < kNearHalvings; ++k) {
+  if (!good(std::min(best, out))) {
+    bad = best, best += kFurther;
+    if (best >= out || !good(best))
+      return {0, false};
+  }
+  else if (good(std::max(bad, in))) {
+    if (bad <= in)
+      return {in, true};
+    best = bad, bad -= kFurther;
+    if (bad <= in || good(bad))
+      return {0, false};
+  }
+  best = std::min(best, out), bad = std::max(bad, in);
+  while (best - bad > kFine) {
     const double middle = (bad + best) / 2;
     (good(middle) ? best : bad) = middle;
   }
@@ -140,11 +154,12 @@ Walk Walker::cutFrom(const Pose& start, bool any_heading, WayOut way_out)
   Walk walk;
   Pose pose = start;
   walk.points.push_back(pose.at);
+  material_.cut(pose.at, pose.at, limits_.radius, &walk.log); // what it brushes there
   double air = 0, area = 0, last = in;
   struct Kept {
-    std::size_t points, cells;
+    std::size_t points, taken;
     double area, heading;
-  } kept{1, 0, 0.0, pose.heading};
+  } kept{1, walk.log.size(), 0.0, pose.heading};
   while (air <= kMostAir * limits_.radius) {
     Turn turn = nearTurn(pose, last, in, out, way_out);
     for (const WayOut kind : {WayOut::Gentle, WayOut::Tight, WayOut::None})
@@ -168,7 +183,7 @@ Walk Walker::cutFrom(const Pose& start, bool any_heading, WayOut way_out)
     }
   }
   walk.points.resize(kept.points);
-  material_.restore(walk.log, kept.cells);
+  material_.restore(walk.log, kept.taken);
   walk.area = kept.area;
   walk.heading = kept.heading;
   return walk;

@@ -76,6 +76,7 @@ private:
   const Level& level_;
   Material& material_;
   WalkLimits limits_;
+  std::size_t most_;        // cells that one move may cut
   std::vector<float> room_; // of nodes, in cells
 };
 

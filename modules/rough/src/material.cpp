@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the PointMill authors
+#include "bit_rows.h"
 #include "capsule.h"
 
 #include <pointmill/rough/material.h>
@@ -25,6 +26,44 @@ void forRuns(const CellGrid& grid, int row, Set&& set, Take&& take)
   }
 }
 
+using Bits = std::vector<std::uint64_t>;
+
+/// Bits of `bits` under a disc or a capsule that is given row by row; it stops counting
+/// beyond `most`.
+template <typename Rows>
+std::size_t
+countBits(const Bits& bits, std::size_t words, std::size_t most, Rows&& rows)
+{
+  std::size_t count = 0;
+  rows([&](int row, int first, int last) {
+    const std::uint64_t* line = &bits[row * words];
+    return forWords(first, last, [&](std::size_t word, std::uint64_t mask) {
+      if (const std::uint64_t set = line[word] & mask)
+        count += static_cast<std::size_t>(bitCount(set));
+      return count <= most;
+    });
+  });
+  return count;
+}
+
+std::optional<Material::Place> anyBit(const Bits& bits,
+                                      std::size_t words,
+                                      const CellGrid& grid,
+                                      const Eigen::Vector2d& p,
+                                      double radius)
+{
+  std::optional<Material::Place> found;
+  forDisc(grid, p, radius, [&](int row, int first, int last) {
+    const std::uint64_t* line = &bits[row * words];
+    return forWords(first, last, [&](std::size_t word, std::uint64_t mask) {
+      if (const std::uint64_t set = line[word] & mask)
+        found = Material::Place{static_cast<int>(word) * 64 + lowestBit(set), row};
+      return !found;
+    });
+  });
+  return found;
+}
+
 } // namespace
 
 Material::Material(const Level& level, int parts)
@@ -34,11 +73,20 @@ Material::Material(const Level& level, int parts)
   grid_.cell /= parts;
   grid_.columns *= parts;
   grid_.rows *= parts;
-  cells_.assign(grid_.size(), Air);
-  for (int row = 0; row < grid_.rows; ++row)
-    for (int column = 0; column < grid_.columns; ++column)
-      if (level.map().standing({column / parts, row / parts}) > z_ + 1e-3)
-        cells_[grid_.index(column, row)] = Standing;
+  words_ = (static_cast<std::size_t>(grid_.columns) + 63) / 64;
+  stands_.assign(words_ * static_cast<std::size_t>(grid_.rows), 0);
+  to_cut_ = stands_;
+  std::vector<std::uint64_t> line(words_);
+  for (int row = 0; row < nodes_.rows; ++row) {
+    std::fill(line.begin(), line.end(), 0);
+    for (int column = 0; column < nodes_.columns; ++column)
+      if (level.map().standing({column, row}) > z_ + 1e-3)
+        forWords(column * parts,
+                 column * parts + parts - 1,
+                 [&](std::size_t word, std::uint64_t mask) { line[word] |= mask; });
+    for (int part = 0; part < parts; ++part)
+      std::copy(line.begin(), line.end(), &stands_[wordOf(0, row * parts + part)]);
+  }
   for (int row = 0; row < nodes_.rows; ++row)
     forRuns(
         nodes_,
@@ -48,14 +96,16 @@ Material::Material(const Level& level, int parts)
         },
         [&](const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
           forCapsule(grid_, a, b, certainRadius(), [&](int r, int first, int last) {
-            unsigned char* line = &cells_[grid_.index(0, r)];
-            for (int c = first; c <= last; ++c)
-              if (line[c] == Standing) {
-                line[c] = ToCut;
-                ++left_;
-              }
+            std::uint64_t* cells = &to_cut_[wordOf(0, r)];
+            forWords(first, last, [&](std::size_t word, std::uint64_t mask) {
+              cells[word] |= mask;
+            });
           });
         });
+  for (std::size_t i = 0; i < to_cut_.size(); ++i) {
+    to_cut_[i] &= stands_[i];
+    left_ += static_cast<std::size_t>(bitCount(to_cut_[i]));
+  }
 }
 
 std::size_t Material::cut(const Eigen::Vector2d& a,
@@ -65,16 +115,19 @@ std::size_t Material::cut(const Eigen::Vector2d& a,
 {
   std::size_t taken = 0;
   forCapsule(grid_, a, b, radius, [&](int row, int first, int last) {
-    unsigned char* line = &cells_[grid_.index(0, row)];
-    for (int column = first; column <= last; ++column) {
-      if (line[column] == Air)
-        continue;
+    const std::size_t line = wordOf(0, row);
+    forWords(first, last, [&](std::size_t word, std::uint64_t mask) {
+      const std::size_t i = line + word;
+      const std::uint64_t cells = stands_[i] & mask, wanted = to_cut_[i] & mask;
+      if (cells == 0)
+        return;
       if (log)
-        log->emplace_back(grid_.index(column, row), static_cast<Cell>(line[column]));
-      ++taken;
-      left_ -= line[column] == ToCut;
-      line[column] = Air;
-    }
+        log->push_back({i, cells, wanted});
+      taken += static_cast<std::size_t>(bitCount(cells));
+      left_ -= static_cast<std::size_t>(bitCount(wanted));
+      stands_[i] &= ~mask;
+      to_cut_[i] &= ~mask;
+    });
   });
   return taken;
 }
@@ -82,48 +135,11 @@ std::size_t Material::cut(const Eigen::Vector2d& a,
 void Material::restore(Log& log, std::size_t keep)
 {
   for (; log.size() > keep; log.pop_back()) {
-    cells_[log.back().first] = log.back().second;
-    left_ += log.back().second == ToCut;
+    const Taken& taken = log.back();
+    stands_[taken.word] |= taken.cells;
+    to_cut_[taken.word] |= taken.to_cut;
+    left_ += static_cast<std::size_t>(bitCount(taken.to_cut));
   }
-}
-
-std::size_t
-Material::ahead(const Eigen::Vector2d& a, const Eigen::Vector2d& b, double radius) const
-{
-  // In each row what lies left and right of the first disc.
-  const double x0 = grid_.x0 + grid_.cell / 2, y0 = grid_.y0 + grid_.cell / 2;
-  const double r2 = radius * radius;
-  const int bottom =
-      std::max(0, static_cast<int>(std::ceil((b.y() - radius - y0) / grid_.cell)));
-  const int top = std::min(
-      grid_.rows - 1, static_cast<int>(std::floor((b.y() + radius - y0) / grid_.cell)));
-  std::size_t count = 0;
-  for (int row = bottom; row <= top; ++row) {
-    const double y = grid_.y(row);
-    const double half = std::sqrt(std::max(0.0, r2 - (y - b.y()) * (y - b.y())));
-    const int first =
-        std::max(0, static_cast<int>(std::ceil((b.x() - half - x0) / grid_.cell)));
-    const int last =
-        std::min(grid_.columns - 1,
-                 static_cast<int>(std::floor((b.x() + half - x0) / grid_.cell)));
-    const unsigned char* line = &cells_[grid_.index(0, row)];
-    const auto add = [&](int from, int to) {
-      for (int column = from; column <= to; ++column)
-        count += line[column] != Air;
-    };
-    const double other2 = r2 - (y - a.y()) * (y - a.y());
-    if (other2 < 0) {
-      add(first, last);
-      continue;
-    }
-    const double left = (a.x() - std::sqrt(other2) - x0) / grid_.cell;
-    const double right = (a.x() + std::sqrt(other2) - x0) / grid_.cell;
-    if (left > first)
-      add(first, std::min(last, static_cast<int>(std::ceil(left)) - 1));
-    if (right < last)
-      add(std::max(first, static_cast<int>(std::floor(right)) + 1), last);
-  }
-  return count;
 }
 
 std::size_t Material::standing(const Eigen::Vector2d& a,
@@ -131,36 +147,37 @@ std::size_t Material::standing(const Eigen::Vector2d& a,
                                double radius,
                                std::size_t most) const
 {
-  std::size_t count = 0;
-  forCapsule(grid_, a, b, radius, [&](int row, int first, int last) {
-    const unsigned char* line = &cells_[grid_.index(0, row)];
-    for (int column = first; count <= most && column <= last; ++column)
-      count += line[column] != Air;
-    return count <= most;
+  return countBits(stands_, words_, most, [&](auto&& take) {
+    forCapsule(grid_, a, b, radius, take);
   });
-  return count;
 }
 
 std::size_t
 Material::toCut(const Eigen::Vector2d& p, double radius, std::size_t most) const
 {
-  std::size_t count = 0;
-  forCapsule(grid_, p, p, radius, [&](int row, int first, int last) {
-    const unsigned char* line = &cells_[grid_.index(0, row)];
-    for (int column = first; count <= most && column <= last; ++column)
-      count += line[column] == ToCut;
-    return count <= most;
-  });
-  return count;
+  return countBits(
+      to_cut_, words_, most, [&](auto&& take) { forDisc(grid_, p, radius, take); });
+}
+
+std::optional<Material::Place> Material::anyStanding(const Eigen::Vector2d& p,
+                                                     double radius) const
+{
+  return anyBit(stands_, words_, grid_, p, radius);
+}
+
+std::optional<Material::Place> Material::anyToCut(const Eigen::Vector2d& p,
+                                                  double radius) const
+{
+  return anyBit(to_cut_, words_, grid_, p, radius);
 }
 
 Eigen::Vector2d Material::middleToCut(const Eigen::Vector2d& p, double radius) const
 {
   Eigen::Vector2d sum(0, 0);
   double count = 0;
-  forCapsule(grid_, p, p, radius, [&](int row, int first, int last) {
+  forDisc(grid_, p, radius, [&](int row, int first, int last) {
     for (int column = first; column <= last; ++column)
-      if (cells_[grid_.index(column, row)] == ToCut) {
+      if (at(column, row) == ToCut) {
         sum += Eigen::Vector2d(grid_.x(column), grid_.y(row)) - p;
         count += 1;
       }
@@ -185,16 +202,22 @@ double Material::certainRadius() const
 std::vector<unsigned char> Material::nodesToCut(double radius) const
 {
   std::vector<unsigned char> nodes(nodes_.size(), 0);
-  for (int row = 0; row < grid_.rows; ++row)
+  for (int row = 0; row < grid_.rows; ++row) {
+    const auto line = to_cut_.begin() + static_cast<std::ptrdiff_t>(wordOf(0, row));
+    if (std::all_of(line,
+                    line + static_cast<std::ptrdiff_t>(words_),
+                    [](std::uint64_t word) { return word == 0; }))
+      continue;
     forRuns(
         grid_,
         row,
-        [&](int column) { return cells_[grid_.index(column, row)] == ToCut; },
+        [&](int column) { return at(column, row) == ToCut; },
         [&](const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
           forCapsule(nodes_, a, b, radius, [&](int r, int first, int last) {
             std::fill_n(&nodes[nodes_.index(first, r)], last - first + 1, 1);
           });
         });
+  }
   return nodes;
 }
 

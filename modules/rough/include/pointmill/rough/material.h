@@ -7,7 +7,8 @@
 #include <Eigen/Core>
 
 #include <cstddef>
-#include <utility>
+#include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace pointmill {
@@ -28,7 +29,9 @@ public:
   const CellGrid& grid() const { return grid_; }
   Cell at(int column, int row) const
   {
-    return static_cast<Cell>(cells_[grid_.index(column, row)]);
+    const std::size_t word = wordOf(column, row);
+    const int bit = column & 63;
+    return static_cast<Cell>((stands_[word] >> bit & 1) + (to_cut_[word] >> bit & 1));
   }
   /// @brief Air beyond the grid.
   Cell at(const Eigen::Vector2d& p) const
@@ -41,8 +44,13 @@ public:
   /// @brief What is left is meant to stand.
   void leaveRest() { left_ = 0; }
 
-  /// @brief Cells that were cut, and what they had been.
-  using Log = std::vector<std::pair<std::size_t, Cell>>;
+  /// @brief Cells of one word of the bitmap that were cut, and which of them had been
+  /// to cut.
+  struct Taken {
+    std::size_t word;
+    std::uint64_t cells, to_cut;
+  };
+  using Log = std::vector<Taken>;
 
   /// @brief Moves a disc of @p radius [mm] straight from @p a to @p b: cells whose
   /// centres it passes over are air.
@@ -52,13 +60,9 @@ public:
                   const Eigen::Vector2d& b,
                   double radius,
                   Log* log = nullptr);
-  /// @brief Undoes what @p log holds beyond its first @p keep cells, and forgets it.
+  /// @brief Undoes what @p log holds beyond its first @p keep entries, and forgets it.
   void restore(Log& log, std::size_t keep);
 
-  /// @brief Cells of either kind that a disc of @p radius [mm] meets at @p b which it
-  /// does not at @p a.
-  std::size_t
-  ahead(const Eigen::Vector2d& a, const Eigen::Vector2d& b, double radius) const;
   /// @brief Cells of either kind that a disc meets on its way straight from @p a to
   /// @p b; it stops counting beyond @p most.
   std::size_t standing(const Eigen::Vector2d& a,
@@ -70,6 +74,14 @@ public:
   {
     return standing(a, b, radius, 0) == 0;
   }
+  /// @brief A cell of the bitmap.
+  struct Place {
+    int column, row;
+  };
+  /// @brief A cell of either kind that a disc meets at @p p, or nothing.
+  std::optional<Place> anyStanding(const Eigen::Vector2d& p, double radius) const;
+  /// @brief A cell to cut that a disc meets at @p p, or nothing.
+  std::optional<Place> anyToCut(const Eigen::Vector2d& p, double radius) const;
   /// @brief Cells to cut that a disc meets at @p p; it stops counting beyond @p most.
   std::size_t toCut(const Eigen::Vector2d& p, double radius, std::size_t most) const;
   /// @brief The middle of what is left to cut within @p radius of @p p; @p p itself
@@ -90,9 +102,16 @@ public:
   std::vector<unsigned char> nodesToCut(double radius) const;
 
 private:
+  std::size_t wordOf(int column, int row) const
+  {
+    return static_cast<std::size_t>(row) * words_ +
+           (static_cast<unsigned>(column) >> 6);
+  }
+
   double radius_, z_;
   CellGrid grid_, nodes_;
-  std::vector<unsigned char> cells_;
+  std::size_t words_ = 0; // in a row
+  std::vector<std::uint64_t> stands_, to_cut_;
   std::size_t left_ = 0;
 };
 
