@@ -148,6 +148,7 @@ void MillJob::plan(const std::string& scan)
   scan_path_ = scan;
   scan_name_ = std::filesystem::path(scan).filename().string();
   operations_.clear();
+  idle_.clear();
   seconds_.clear();
   readAndAlign(scan);
   makeSurface();

@@ -134,7 +134,8 @@ void MillJob::planFinishing(const ToolJob& job,
   const auto start = std::chrono::steady_clock::now();
   const CLCloud passes = rasterPasses(job, scallop, across, planned);
   if (passes.empty())
-    throw DataError(name + ": no row lies over the part: look at the boundary");
+    throw DataError(name + ": no row lies over the part: look at the boundary" +
+                    (options_.keep_out.empty() ? "" : " and at the keep-out zones"));
   link(planned, passes, 0.0);
   planned.seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

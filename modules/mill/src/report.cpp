@@ -237,6 +237,10 @@ std::string reportJson(const MillJob& job, const std::string& scan_name)
   json["operations"] = Json::array();
   for (const auto& planned : job.operations())
     json["operations"].push_back(operationJson(planned, job.verification()));
+  json["idle_operations"] = Json::array();
+  for (const auto& planned : job.idleOperations())
+    json["idle_operations"].push_back(
+        {{"name", planned.operation.name}, {"tool", planned.operation.tool.number}});
   json["minutes"] = job.minutes();
   json["verification"] =
       verificationJson(job.verification(), o.tolerance - budget.blend);

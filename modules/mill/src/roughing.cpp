@@ -75,11 +75,12 @@ void MillJob::planLevels(Strategy& roughing,
   planned.parameters = listParameters(roughing);
   planned.report = roughing.getReport();
   planned.narrow = roughing.getNarrowPlaces();
-  if (passes.empty()) // nothing that is worth this tool's while
+  if (!passes.empty())
+    link(planned, passes, kLeadRadius * job.tool.endDiameter());
+  if (planned.operation.path.empty()) { // nothing that is worth this tool's while
+    idle_.push_back(std::move(planned));
     return;
-  link(planned, passes, kLeadRadius * job.tool.endDiameter());
-  if (planned.operation.path.empty())
-    return;
+  }
   planned.seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   operations_.push_back(std::move(planned));

@@ -14,6 +14,8 @@ namespace {
 
 /// Less than this under the floor holds no part [mm].
 constexpr double kSkin = 0.2;
+/// Less of a level than this is no place [mm2].
+constexpr double kLittle = 1.0;
 
 #if defined(__GNUC__)
 __attribute__((format(printf, 1, 2)))
@@ -72,20 +74,32 @@ double percent(std::size_t part, std::size_t whole)
 std::vector<std::string> leftLines(const MillJob& job)
 {
   std::vector<std::string> lines;
-  for (const auto& o : job.operations()) {
-    if (o.narrow.empty())
-      continue;
-    const NarrowPlace& largest = o.narrow.front();
-    lines.push_back(print("too narrow %s does not get into %zu places, %.2f cm3; the "
-                          "largest, %.0f mm2, is at X%.1f Y%.1f Z%.1f\n",
-                          o.operation.tool.describe().c_str(),
-                          o.narrow.size(),
-                          o.report.get("narrow_mm3") / 1000,
-                          largest.area,
-                          largest.at.x(),
-                          largest.at.y(),
-                          largest.at.z()));
-  }
+  for (const auto& o : job.idleOperations())
+    lines.push_back(print("idle       %s, %s: there is nothing for it to cut\n",
+                          o.operation.name.c_str(),
+                          o.operation.tool.describe().c_str()));
+  for (const auto* list : {&job.operations(), &job.idleOperations()})
+    for (const auto& o : *list) {
+      const double missed = o.report.get("missed_mm2");
+      if (missed > kLittle)
+        lines.push_back(
+            print("not cleared by %s: %.0f mm2 of its levels, all together, "
+                  "skins and crumbs where no pass was possible\n",
+                  o.operation.name.c_str(),
+                  missed));
+      if (o.narrow.empty())
+        continue;
+      const NarrowPlace& largest = o.narrow.front();
+      lines.push_back(print("too narrow %s does not get into %zu places, %.2f cm3; the "
+                            "largest, %.0f mm2, is at X%.1f Y%.1f Z%.1f\n",
+                            o.operation.tool.describe().c_str(),
+                            o.narrow.size(),
+                            o.report.get("narrow_mm3") / 1000,
+                            largest.area,
+                            largest.at.x(),
+                            largest.at.y(),
+                            largest.at.z()));
+    }
   const KeepOut& zones = job.options().keep_out;
   double kept = 0; // each tool keeps out of some of what the ones before do
   for (const auto& o : job.operations())
@@ -112,7 +126,7 @@ std::string operationsTable(const MillJob& job)
                            "cut mm",
                            "air %",
                            "rapid mm",
-                           "retracts",
+                           "lifts",
                            "radial mm",
                            "axial",
                            "cut cm3",
@@ -129,7 +143,7 @@ std::string operationsTable(const MillJob& job)
                   f.cutting_length,
                   100 * f.cut.airShare(),
                   f.rapid_length,
-                  f.retracts,
+                  f.retracts + static_cast<std::size_t>(o.report.get("link_lifts")),
                   f.cut.mean_radial,
                   f.cut.max_radial,
                   f.cut.max_axial,
@@ -173,6 +187,13 @@ std::vector<std::string> warningsOf(const MillJob& job)
     lines.push_back(
         print("smoothing leaves %.3f mm of the noise, more than the tolerance",
               surface.noise_left));
+  for (const auto& zone : o.keep_out.zones()) {
+    const double reach = o.keep_out.margin() + o.rough.tool.diameter;
+    if ((zone.min().array() - reach > job.stock().max.head<2>().array()).any() ||
+        (zone.max().array() + reach < job.stock().min.head<2>().array()).any())
+      lines.push_back("the " + zone.describe() +
+                      " is nowhere near the stock: are its figures right?");
+  }
   if (!o.boundary.empty())
     lines.push_back("what is left over counts the whole part, beyond the polygon too");
   for (const Tool& tool : job.tools()) {

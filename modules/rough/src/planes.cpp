@@ -13,6 +13,7 @@ namespace {
 /// Ground is level where it does not rise more than this share of the step-down from
 /// one node to the next; a level of its own must save as much at least.
 constexpr double kLevel = 0.1;
+constexpr double kRounding = 1e-4; // of float32 [mm]
 
 /// Heights of the nodes that the tool stands on level ground at, with stock above.
 std::vector<float> levelGround(const LevelMap& map, double rise)
@@ -53,8 +54,9 @@ std::vector<Plane> planesOf(
   std::vector<Plane> planes;
   double above = top;
   for (const double z : slices.levels()) {
-    // Most ground within a rise, of that above this level and below the last one.
-    auto low = std::upper_bound(ground.begin(), ground.end(), z + rise);
+    // Most ground within a rise, of that above this level, where the tool cannot go
+    // down to it, and below the last one.
+    auto low = std::upper_bound(ground.begin(), ground.end(), z + kRounding);
     const auto end = std::lower_bound(low, ground.end(), above - rise);
     std::ptrdiff_t most = std::max<std::ptrdiff_t>(fewest, 1) - 1;
     double flat = above;

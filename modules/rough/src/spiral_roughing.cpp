@@ -76,23 +76,32 @@ Chain follow(const Level& level, const Chain& ring, std::size_t& from)
   return chain;
 }
 
-/// The stretches of a path that pass over stock; those less than `gap` nodes apart stay
-/// together.
+/// The stretches of a path that cut what no contour before it has; those less than
+/// `gap` nodes apart stay together.
 void keepNeeded(const Level& level,
                 const Chain& path,
                 int gap,
-                std::vector<Chain>& chains)
+                Material& material,
+                std::vector<LevelPath>& paths)
 {
+  const auto cuts = [&](Node n) {
+    return level.isNeeded(n) &&
+           material.toCut(level.map().at(n), material.certainRadius(), 0) > 0;
+  };
   const int size = static_cast<int>(path.size());
+  const std::size_t known = paths.size();
   neededStretches(
       0,
       size,
       gap,
-      [&](int i) { return level.isNeeded(path[i]); },
+      [&](int i) { return cuts(path[i]); },
       [&](int first, int last) { // with a node more at each end
-        chains.emplace_back(path.begin() + std::max(0, first - 1),
-                            path.begin() + std::min(size - 1, last + 1) + 1);
+        paths.push_back(pathAlong(level,
+                                  {path.begin() + std::max(0, first - 1),
+                                   path.begin() + std::min(size - 1, last + 1) + 1}));
       });
+  for (std::size_t i = known; i < paths.size(); ++i)
+    material.cut(paths[i]);
 }
 
 } // namespace
@@ -100,12 +109,13 @@ void keepNeeded(const Level& level,
 std::vector<LevelPath> SpiralRoughing::clearLevel(const Level& level, Report&) const
 {
   const int step = level.stride();
-  std::vector<Chain> pieces;
+  std::vector<LevelPath> paths;
+  Material material(level);
   Node low{0, 0}, high{level.map().grid().columns - 1, level.map().grid().rows - 1};
   for (;;) {
     const Chain ring = rectangle(low, high);
     for (std::size_t from = 0; from < ring.size();)
-      keepNeeded(level, follow(level, ring, from), step, pieces);
+      keepNeeded(level, follow(level, ring, from), step, material, paths);
     // Two sides no further apart than a step leave nothing between them.
     const int wide = high.column - low.column, deep = high.row - low.row;
     if (std::min(wide, deep) <= step)
@@ -114,11 +124,8 @@ std::vector<LevelPath> SpiralRoughing::clearLevel(const Level& level, Report&) c
     low = low + in;
     high = high + Node{-in.column, -in.row};
   }
-  std::vector<LevelPath> paths;
-  for (const auto& piece : pieces)
-    paths.push_back(pathAlong(level, piece));
-  Material material(level, 1);
-  return joinPaths(level, material, std::move(paths));
+  Material before(level, 1);
+  return joinPaths(level, before, std::move(paths));
 }
 
 std::vector<LevelPath> SpiralRoughing::clearRest(const Level& level,

@@ -77,6 +77,8 @@ public:
 
   const MillOptions& options() const { return options_; }
   const std::vector<PlannedOperation>& operations() const { return operations_; }
+  /// @brief Those that found nothing to cut, without a path.
+  const std::vector<PlannedOperation>& idleOperations() const { return idle_; }
   const Verification& verification() const { return verification_; }
   const std::string& program() const { return program_; }
   const pcl::PointCloud<pcl::PointXYZ>& part() const { return *part_; }
@@ -156,7 +158,7 @@ private:
   double raw_reach_ = 0;                  // of its points [mm]
   std::shared_ptr<StockField> standing_, nominal_;
   double floor_ = 0, bridged_area_ = 0;
-  std::vector<PlannedOperation> operations_;
+  std::vector<PlannedOperation> operations_, idle_;
   std::string program_;
   Verification verification_;
   bool passed_ = false;
