@@ -9,10 +9,20 @@
 
 namespace pointmill {
 
+namespace {
+constexpr double kLeastStepOver = 0.03; // diameters of the tool's end
+}
+
 void HighSpeedRoughing::checkParameters() const
 {
   LevelRoughing::checkParameters();
   validateParameters(*this, getName());
+  const double least = kLeastStepOver * getTool().endDiameter();
+  if (getStepOver() < least)
+    throw ParameterError(getName() + ": a step-over of " +
+                         std::to_string(getStepOver()) +
+                         " mm is too fine to be measured; " + std::to_string(least) +
+                         " mm is the least for this tool");
 }
 
 std::vector<LevelPath> HighSpeedRoughing::clearLevel(const Level& level,

@@ -26,7 +26,8 @@ std::vector<IsoLine> wallLines(const Level& level)
   for (int row = 0; row < grid.rows; ++row)
     for (int column = 0; column < grid.columns; ++column)
       free[grid.index(column, row)] = level.isFree({column, row});
-  auto lines = isoLines(grid, free, [&](Node in, Node out) {
+  // Where less is free, further down, the lines lie within these; chords would cross.
+  return isoLines(grid, free, [&](Node in, Node out) {
     Eigen::Vector2d good = map.at(in), bad = map.at(out);
     for (int i = 0; i < kHalvings; ++i) {
       const Eigen::Vector2d middle = (good + bad) / 2;
@@ -34,9 +35,6 @@ std::vector<IsoLine> wallLines(const Level& level)
     }
     return good;
   });
-  for (auto& line : lines)
-    line = straightened(level, line, grid.cell / 16);
-  return lines;
 }
 
 IsoLine straightened(const Level& level, const IsoLine& line, double tolerance)
@@ -145,7 +143,7 @@ neededStretches(const IsoLine& line,
       idle += (points[i] - points[i - 1]).norm();
     if (!needed(points[i]))
       continue;
-    if (open && idle > gap)
+    if (open && i > last + 1 && idle > gap)
       close();
     if (!open)
       first = i;
