@@ -36,7 +36,7 @@ void LinkPasses::checkParameters() const
 
 void LinkPasses::apply(CLCloud& output)
 {
-  std::vector<Pass> passes;
+  std::vector<PlannedPass> passes;
   for (const auto i : *indices_) { // all of them, before the stock is cut
     const PointCL& p = (*input_)[i];
     const bool first = passes.empty() || passes.back().points.back()->label != p.label;

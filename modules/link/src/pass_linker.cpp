@@ -7,7 +7,7 @@ namespace pointmill {
 using Eigen::Vector3d;
 using Kind = Transition::Kind;
 
-void PassLinker::add(const Pass& pass)
+void PassLinker::add(const PlannedPass& pass)
 {
   const Transition transition = plan(pass);
   if (transition.entry.kind == EntryKind::Impossible) {
@@ -31,7 +31,7 @@ void PassLinker::finish()
   ++tally_.retracts;
 }
 
-Transition PassLinker::plan(const Pass& pass)
+Transition PassLinker::plan(const PlannedPass& pass)
 {
   Transition way{Kind::Plane, around_.clearance, 0, {}};
   if (path_.empty())
@@ -45,7 +45,7 @@ Transition PassLinker::plan(const Pass& pass)
   return path_.empty() ? way : transitions_.over(path_.at(), way.entry);
 }
 
-void PassLinker::leadIn(const Pass& pass, Entry& entry)
+void PassLinker::leadIn(const PlannedPass& pass, Entry& entry)
 {
   const bool level = entry.kind == EntryKind::Open || entry.kind == EntryKind::Outside;
   if (!level || pass.way.size() < 2 || pass.points[1]->getMotion() != Motion::Cut)

@@ -13,7 +13,7 @@
 namespace pointmill {
 
 /// @brief A pass as it is handed in: what it is like and where it goes.
-struct Pass {
+struct PlannedPass {
   std::vector<const PointCL*> points;
   std::vector<Eigen::Vector3d> way;
 };
@@ -38,15 +38,15 @@ public:
   {
   }
 
-  void add(const Pass& pass);
+  void add(const PlannedPass& pass);
   /// @brief Out of the last pass and up to the clearance plane.
   void finish();
 
   const Tally& tally() const { return tally_; }
 
 private:
-  Transition plan(const Pass& pass);
-  void leadIn(const Pass& pass, Entry& entry);
+  Transition plan(const PlannedPass& pass);
+  void leadIn(const PlannedPass& pass, Entry& entry);
   void leadOut();
   void go(const Transition& transition, const PointCL& like);
   void goSideways(const Transition& transition, const PointCL& like);
