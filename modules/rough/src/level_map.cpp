@@ -170,10 +170,10 @@ double LevelMap::lowestAlongPoints(const Eigen::Vector2d& a,
       keep_out_.lowestAlong(tool_, a.x(), a.y(), b.x(), b.y()));
 }
 
-std::vector<float> LevelMap::reach(bool zones) const
+std::vector<float> LevelMap::reach(bool zones, bool sure) const
 {
-  // Under the tool for certain: what a pass over the node would cut away.
-  const double certain = std::max(0.0, tool_.radius() - std::sqrt(0.5) * grid_.cell);
+  const double certain =
+      std::max(0.0, tool_.radius() - (sure ? std::sqrt(0.5) * grid_.cell : 0.0));
   const auto under = [&](double dx, double dy) {
     const double d = std::hypot(dx, dy);
     return d <= certain ? tool_.profile(d) : std::numeric_limits<double>::infinity();
@@ -238,7 +238,7 @@ void LevelMap::measureStock(const StockField& stock, const Clearing& clearing)
   auto worth = standing_;
   if (clearing.min_thickness > 0) {
     // Leave what is not much thicker than the tool would leave it ...
-    const auto left_over = reach();
+    const auto left_over = reach(true, true);
     std::vector<unsigned char> thin(grid_.size()), core(grid_.size());
     for (std::size_t i = 0; i < worth.size(); ++i)
       thin[i] = !(worth[i] - left_over[i] > clearing.min_thickness);

@@ -37,6 +37,22 @@ std::vector<std::vector<std::size_t>> pieces(const CellGrid& grid,
   return all;
 }
 
+/// How much the ground rises or falls to the cells beside: nodes do not lie where the
+/// tool would touch a slope, and that much is left on it.
+double rise(const CellGrid& grid, const std::vector<float>& ground, std::size_t i)
+{
+  const int column = static_cast<int>(i % grid.columns);
+  const int row = static_cast<int>(i / grid.columns);
+  double most = 0;
+  for (const Node step : {Node{1, 0}, Node{-1, 0}, Node{0, 1}, Node{0, -1}}) {
+    const Node to = Node{column, row} + step;
+    if (grid.has(to.column, to.row))
+      most = std::max<double>(
+          most, std::abs(ground[grid.index(to.column, to.row)] - ground[i]));
+  }
+  return most;
+}
+
 } // namespace
 
 OutOfReach outOfReach(const LevelMap& map,
@@ -54,7 +70,7 @@ OutOfReach outOfReach(const LevelMap& map,
           static_cast<float>(std::max<double>(cell.z + allowance, floor));
 
   OutOfReach result;
-  const auto free = map.reach(false), reach = map.reach();
+  const auto free = map.reach(false, false), reach = map.reach(true, false);
   std::vector<unsigned char> thick(grid.size()), core(grid.size());
   const auto standing = [&](std::size_t i) {
     return map.standing(
@@ -64,7 +80,7 @@ OutOfReach outOfReach(const LevelMap& map,
     return std::min<double>(standing(i), down_to[i]) - ground[i];
   };
   for (std::size_t i = 0; i < thick.size(); ++i) {
-    thick[i] = left(free, i) > depth;
+    thick[i] = left(free, i) > depth + rise(grid, ground, i);
     const double low = std::max<double>(free[i], ground[i]);
     const double kept = std::min<double>(standing(i), reach[i]) - low;
     if (kept > 0)

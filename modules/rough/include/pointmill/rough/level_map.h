@@ -93,7 +93,8 @@ public:
   /// @brief How low the stock can be milled over each node's cell, whatever stands
   /// there now: the lowest that the tool's lower surface gets [mm].
   /// @param zones whether the zones that are kept out of count
-  std::vector<float> reach(bool zones = true) const;
+  /// @param sure only what is under the tool with all of its cell
+  std::vector<float> reach(bool zones, bool sure) const;
 
   /// @brief A number for every node, the same where the tool, on whatever level, may
   /// cut the same stock: nodes that are needed on some level and less than a diameter
