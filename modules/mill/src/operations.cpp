@@ -125,12 +125,7 @@ void MillJob::planFinishing(const ToolJob& job,
                             double scallop,
                             bool across)
 {
-  PlannedOperation planned;
-  planned.operation.name = name;
-  planned.operation.tool = job.tool;
-  planned.operation.cutting = job.cutting;
-  planned.allowance = job.allowance;
-  planned.colour = across ? 4 : 2;
+  PlannedOperation planned(job, name, across ? 4 : 2);
   const auto start = std::chrono::steady_clock::now();
   const CLCloud passes = rasterPasses(job, scallop, across, planned);
   if (passes.empty())

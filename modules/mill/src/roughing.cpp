@@ -55,12 +55,7 @@ void MillJob::planLevels(Strategy& roughing,
                          const std::string& name,
                          int colour)
 {
-  PlannedOperation planned;
-  planned.operation.name = name;
-  planned.operation.tool = job.tool;
-  planned.operation.cutting = job.cutting;
-  planned.allowance = job.allowance;
-  planned.colour = colour;
+  PlannedOperation planned(job, name, colour);
   roughing.setTool(job.tool);
   roughing.setAllowance(job.allowance);
   roughing.setFloor(floor_);

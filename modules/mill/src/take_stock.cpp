@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <numeric>
 
 namespace pointmill {
 namespace {
@@ -18,7 +17,6 @@ namespace {
 /// The part may stick out of the scan of its raw part at this share of its points, and
 /// by so much, for what both scanners err [mm].
 constexpr double kMostOutside = 0.02, kOutside = 0.5;
-constexpr std::size_t kMostSamples = 6'000'000;
 
 std::string corner(const Eigen::Vector3d& p)
 {

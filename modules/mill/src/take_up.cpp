@@ -23,7 +23,6 @@ namespace {
 constexpr double kSmallestPart = 1.0, kLargestPart = 3000.0;
 constexpr double kMostCells = 1e6;    // of the map, by default
 constexpr double kMostStrays = 0.005; // share of the points
-constexpr std::size_t kMostSamples = 6'000'000;
 
 /// Noise and sinking under this share of the tolerance are left alone.
 constexpr double kLittle = 0.1;

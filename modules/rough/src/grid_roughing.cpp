@@ -5,7 +5,6 @@
 
 #include <pointmill/common/error.h>
 #include <pointmill/rough/grid_roughing.h>
-#include <pointmill/slice/z_slices.h>
 
 #include <algorithm>
 #include <cmath>
@@ -116,9 +115,7 @@ std::vector<LevelPath> GridRoughing::clearLevel(const Level& level, Report&) con
 {
   const double cell = cellSize(), aside = 0.5 * getAllowance();
   const double radius = level.map().endRadius();
-  const double climb = getStepDown() > 0
-                           ? getStepDown()
-                           : ZSlices::pitchForDiameter(getTool().endDiameter());
+  const double climb = stepDown();
   const Stock& stock = level.map().stock();
   std::vector<double> x = places(stock.min.x() - aside, cell, stock.max.x() - radius);
   x.insert(x.begin(), stock.min.x() - radius);

@@ -3,7 +3,6 @@
 #include "high_speed_plan.h"
 
 #include <pointmill/rough/high_speed_roughing.h>
-#include <pointmill/slice/z_slices.h>
 
 #include <cmath>
 
@@ -28,13 +27,10 @@ void HighSpeedRoughing::checkParameters() const
 std::vector<LevelPath> HighSpeedRoughing::clearLevel(const Level& level,
                                                      Report& figures) const
 {
-  const double step_down = getStepDown() > 0
-                               ? getStepDown()
-                               : ZSlices::pitchForDiameter(getTool().endDiameter());
   HighSpeedPlan plan(level,
                      {mode_ == MillingMode::Climb ? 1.0 : -1.0,
                       std::tan(ramp_angle_ * M_PI / 180.0),
-                      step_down});
+                      stepDown()});
   auto paths = plan.clear();
   plan.report(figures);
   return paths;

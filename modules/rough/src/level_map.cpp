@@ -2,6 +2,7 @@
 // Copyright (c) 2026, the PointMill authors
 #include <pointmill/common/parallel.h>
 #include <pointmill/rough/level_map.h>
+#include <pointmill/slice/cell_regions.h>
 #include <pointmill/slice/distance_field.h>
 
 #include <algorithm>
@@ -262,35 +263,20 @@ void LevelMap::measureStock(const StockField& stock, const Clearing& clearing)
 
 std::vector<int> LevelMap::regions(double floor) const
 {
-  std::vector<unsigned char> needed(grid_.size());
-  for (std::size_t i = 0; i < needed.size(); ++i)
-    needed[i] = stock_top_[i] > std::max<double>(lowest_[i], floor) + 1e-3;
-  const auto distance = distanceField(needed, grid_.columns, grid_.rows);
+  std::vector<unsigned char> mask(grid_.size());
+  for (std::size_t i = 0; i < mask.size(); ++i)
+    mask[i] = stock_top_[i] > std::max<double>(lowest_[i], floor) + 1e-3;
+  const auto distance = distanceField(mask, grid_.columns, grid_.rows);
   const double reach = tool_.radius() / grid_.cell + 1;
+  for (std::size_t i = 0; i < mask.size(); ++i)
+    mask[i] = distance[i] <= reach;
 
   std::vector<int> region(grid_.size(), 0);
-  std::vector<std::size_t> open;
   int count = 0;
-  for (std::size_t seed = 0; seed < region.size(); ++seed) {
-    if (region[seed] || distance[seed] > reach)
-      continue;
-    region[seed] = ++count;
-    open.assign(1, seed);
-    while (!open.empty()) {
-      const int column = static_cast<int>(open.back() % grid_.columns);
-      const int row = static_cast<int>(open.back() / grid_.columns);
-      open.pop_back();
-      for (int r = std::max(0, row - 1); r <= std::min(grid_.rows - 1, row + 1); ++r)
-        for (int c = std::max(0, column - 1);
-             c <= std::min(grid_.columns - 1, column + 1);
-             ++c) {
-          const std::size_t at = grid_.index(c, r);
-          if (region[at] == 0 && distance[at] <= reach) {
-            region[at] = count;
-            open.push_back(at);
-          }
-        }
-    }
+  for (const auto& cells : cellRegions(grid_, std::move(mask), Connected::Corners)) {
+    ++count;
+    for (const auto at : cells)
+      region[at] = count;
   }
   return region;
 }

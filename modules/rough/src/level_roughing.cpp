@@ -6,7 +6,6 @@
 
 #include <pointmill/common/parallel.h>
 #include <pointmill/rough/level_roughing.h>
-#include <pointmill/slice/z_slices.h>
 
 #include <algorithm>
 #include <cmath>
@@ -79,9 +78,7 @@ void LevelRoughing::apply(CLCloud& output)
                      *stock,
                      {tool_, allowance_, min_thickness_, min_width_, keep_out_},
                      threads_);
-  const double step_down =
-      step_down_ > 0 ? step_down_ : ZSlices::pitchForDiameter(tool_.endDiameter());
-  const auto planes = planesOf(map, floor, stock->stock().top(), step_down, min_flat_);
+  const auto planes = planesOf(map, floor, stock->stock().top(), stepDown(), min_flat_);
 
   struct Work {
     std::vector<LevelPath> paths;
@@ -133,7 +130,7 @@ void LevelRoughing::apply(CLCloud& output)
   report_.set("levels_cut", static_cast<double>(used));
   report_.set("passes", label);
   report_.set("cl_points", static_cast<double>(output.size()));
-  const OutOfReach out = outOfReach(map, *input_, allowance_, floor, 2 * step_down);
+  const OutOfReach out = outOfReach(map, *input_, allowance_, floor, 2 * stepDown());
   narrow_ = out.narrow;
   report_.set("narrow_places", static_cast<double>(out.narrow.size()));
   report_.set("narrow_mm3", out.narrow_volume);

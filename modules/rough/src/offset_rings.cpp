@@ -3,6 +3,7 @@
 #include "offset_rings.h"
 
 #include <pointmill/rough/material.h>
+#include <pointmill/slice/cell_regions.h>
 #include <pointmill/slice/distance_field.h>
 
 #include <algorithm>
@@ -35,29 +36,11 @@ std::vector<int>
 label(const CellGrid& grid, const std::vector<unsigned char>& inside, int& next)
 {
   std::vector<int> labels(grid.size(), -1);
-  std::vector<Node> open;
-  for (int row = 0; row < grid.rows; ++row)
-    for (int column = 0; column < grid.columns; ++column) {
-      if (!inside[grid.index(column, row)] || labels[grid.index(column, row)] >= 0)
-        continue;
-      labels[grid.index(column, row)] = next;
-      open.assign(1, {column, row});
-      while (!open.empty()) {
-        const Node n = open.back();
-        open.pop_back();
-        for (const Node step : {Node{1, 0}, Node{-1, 0}, Node{0, 1}, Node{0, -1}}) {
-          const Node to = n + step;
-          if (!grid.has(to.column, to.row))
-            continue;
-          const std::size_t i = grid.index(to.column, to.row);
-          if (inside[i] && labels[i] < 0) {
-            labels[i] = next;
-            open.push_back(to);
-          }
-        }
-      }
-      ++next;
-    }
+  for (const auto& piece : cellRegions(grid, inside, Connected::Edges)) {
+    for (const auto at : piece)
+      labels[at] = next;
+    ++next;
+  }
   return labels;
 }
 

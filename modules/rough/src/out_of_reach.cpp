@@ -2,6 +2,7 @@
 // Copyright (c) 2026, the PointMill authors
 #include "out_of_reach.h"
 
+#include <pointmill/slice/cell_regions.h>
 #include <pointmill/slice/distance_field.h>
 
 #include <algorithm>
@@ -9,33 +10,6 @@
 
 namespace pointmill {
 namespace {
-
-/// The connected pieces of what is set, as lists of cells.
-std::vector<std::vector<std::size_t>> pieces(const CellGrid& grid,
-                                             std::vector<unsigned char> set)
-{
-  std::vector<std::vector<std::size_t>> all;
-  for (std::size_t seed = 0; seed < set.size(); ++seed) {
-    if (!set[seed])
-      continue;
-    std::vector<std::size_t> piece{seed};
-    set[seed] = 0;
-    for (std::size_t k = 0; k < piece.size(); ++k) {
-      const int column = static_cast<int>(piece[k] % grid.columns);
-      const int row = static_cast<int>(piece[k] / grid.columns);
-      for (int r = std::max(0, row - 1); r <= std::min(grid.rows - 1, row + 1); ++r)
-        for (int c = std::max(0, column - 1);
-             c <= std::min(grid.columns - 1, column + 1);
-             ++c)
-          if (set[grid.index(c, r)]) {
-            set[grid.index(c, r)] = 0;
-            piece.push_back(grid.index(c, r));
-          }
-    }
-    all.push_back(std::move(piece));
-  }
-  return all;
-}
 
 /// How much the ground rises or falls to the cells beside: nodes do not lie where the
 /// tool would touch a slope, and that much is left on it.
@@ -98,7 +72,7 @@ OutOfReach outOfReach(const LevelMap& map,
   for (std::size_t i = 0; i < core.size(); ++i)
     thick[i] = thick[i] && to_core[i] <= skin;
 
-  for (const auto& piece : pieces(grid, thick)) {
+  for (const auto& piece : cellRegions(grid, thick, Connected::Corners)) {
     NarrowPlace place;
     std::size_t widest = piece.front();
     for (const auto i : piece) {

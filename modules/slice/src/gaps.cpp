@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the PointMill authors
 #include <pointmill/common/error.h>
+#include <pointmill/slice/cell_regions.h>
 #include <pointmill/slice/distance_field.h>
 #include <pointmill/slice/gaps.h>
 
@@ -18,39 +19,6 @@ namespace {
 
 using Mask = std::vector<unsigned char>;
 
-/// Calls visit(column, row, straight) for the eight neighbours of a cell that the grid
-/// has.
-template <typename Visit>
-void neighbours(const CellGrid& grid, int column, int row, Visit&& visit)
-{
-  for (int r = row - 1; r <= row + 1; ++r)
-    for (int c = column - 1; c <= column + 1; ++c)
-      if ((c != column || r != row) && grid.has(c, r))
-        visit(c, r, c == column || r == row);
-}
-
-/// All cells of `mask` that are connected to those of `region`; they are taken out of
-/// it.
-void takeRegion(const CellGrid& grid,
-                Mask& mask,
-                bool diagonals,
-                std::vector<std::size_t>& region)
-{
-  for (const auto at : region)
-    mask[at] = 0;
-  for (std::size_t k = 0; k < region.size(); ++k)
-    neighbours(grid,
-               static_cast<int>(region[k] % grid.columns),
-               static_cast<int>(region[k] / grid.columns),
-               [&](int c, int r, bool straight) {
-                 const std::size_t at = grid.index(c, r);
-                 if (mask[at] && (straight || diagonals)) {
-                   mask[at] = 0;
-                   region.push_back(at);
-                 }
-               });
-}
-
 /// What surrounds the region's cells: heights, or nothing.
 void measureRim(const CellGrid& grid,
                 const Mask& gaps,
@@ -59,17 +27,17 @@ void measureRim(const CellGrid& grid,
 {
   for (const auto cell : region.cells) {
     int known = 0;
-    neighbours(grid,
-               static_cast<int>(cell % grid.columns),
-               static_cast<int>(cell / grid.columns),
-               [&](int c, int r, bool) {
-                 const std::size_t at = grid.index(c, r);
-                 known += gaps[at] || std::isfinite(height[at]);
-                 if (gaps[at] || !std::isfinite(height[at]))
-                   return;
-                 region.rim_low = std::fmin(region.rim_low, height[at]);
-                 region.rim_high = std::fmax(region.rim_high, height[at]);
-               });
+    forNeighbours(grid,
+                  static_cast<int>(cell % grid.columns),
+                  static_cast<int>(cell / grid.columns),
+                  [&](int c, int r, bool) {
+                    const std::size_t at = grid.index(c, r);
+                    known += gaps[at] || std::isfinite(height[at]);
+                    if (gaps[at] || !std::isfinite(height[at]))
+                      return;
+                    region.rim_low = std::fmin(region.rim_low, height[at]);
+                    region.rim_high = std::fmax(region.rim_high, height[at]);
+                  });
     region.open |= known < 8;
   }
 }
@@ -117,7 +85,7 @@ findGaps(const CellGrid& grid, const Mask& occupied, double reach)
   for (std::size_t i = 0; i < open.size(); ++i)
     open[i] = !body[i] && to_away[i] <= cells;
   std::vector<std::size_t> outside{0}; // what is connected to the border
-  takeRegion(wide, open, false, outside);
+  takeRegion(wide, open, Connected::Edges, outside);
 
   Mask gaps(grid.size(), 0);
   for (int row = 0; row < grid.rows; ++row)
@@ -132,7 +100,7 @@ findGaps(const CellGrid& grid, const Mask& occupied, double reach)
   for (std::size_t at = 0; at < grid.size(); ++at)
     if (occupied[at])
       held.push_back(at);
-  takeRegion(grid, left, true, held);
+  takeRegion(grid, left, Connected::Corners, held);
   for (std::size_t at = 0; at < grid.size(); ++at)
     gaps[at] = gaps[at] && !left[at];
   return gaps;
@@ -163,7 +131,7 @@ gapRegions(const CellGrid& grid, const Mask& gaps, const std::vector<double>& he
         continue;
       GapRegion region;
       std::vector<std::size_t> cells{grid.index(column, row)};
-      takeRegion(grid, left, true, cells);
+      takeRegion(grid, left, Connected::Corners, cells);
       region.min.setConstant(std::numeric_limits<double>::infinity());
       region.max = -region.min;
       for (const auto at : cells) {
@@ -237,20 +205,20 @@ void bridgeGaps(const CellGrid& grid, const Mask& gaps, std::vector<double>& hei
       Eigen::VectorXd::Zero(static_cast<Eigen::Index>(cells.size()));
   for (std::size_t k = 0; k < cells.size(); ++k) {
     double count = 0;
-    neighbours(grid,
-               static_cast<int>(cells[k] % grid.columns),
-               static_cast<int>(cells[k] / grid.columns),
-               [&](int c, int r, bool straight) {
-                 const std::size_t at = grid.index(c, r);
-                 const double weight = straight ? 1.0 : 0.5;
-                 if (unknown[at] >= 0)
-                   entries.emplace_back(static_cast<int>(k), unknown[at], -weight);
-                 else if (std::isfinite(height[at]))
-                   right[static_cast<Eigen::Index>(k)] += weight * height[at];
-                 else
-                   return;
-                 count += weight;
-               });
+    forNeighbours(grid,
+                  static_cast<int>(cells[k] % grid.columns),
+                  static_cast<int>(cells[k] / grid.columns),
+                  [&](int c, int r, bool straight) {
+                    const std::size_t at = grid.index(c, r);
+                    const double weight = straight ? 1.0 : 0.5;
+                    if (unknown[at] >= 0)
+                      entries.emplace_back(static_cast<int>(k), unknown[at], -weight);
+                    else if (std::isfinite(height[at]))
+                      right[static_cast<Eigen::Index>(k)] += weight * height[at];
+                    else
+                      return;
+                    count += weight;
+                  });
     entries.emplace_back(static_cast<int>(k), static_cast<int>(k), count);
   }
   const auto n = static_cast<Eigen::Index>(cells.size());

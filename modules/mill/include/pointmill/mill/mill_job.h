@@ -19,6 +19,13 @@ namespace pointmill {
 
 /// @brief One operation as planned, with what is worth telling.
 struct PlannedOperation {
+  /// @brief Nothing yet of what @p job is to do.
+  PlannedOperation(const ToolJob& job, const std::string& name, int picture_colour)
+      : operation{name, job.tool, job.cutting, {}}, allowance(job.allowance),
+        colour(picture_colour)
+  {
+  }
+
   Operation operation;
   double allowance = 0;
   std::vector<ParameterValue> parameters;
@@ -153,6 +160,8 @@ private:
   std::shared_ptr<const PointIndex> bridges_;      // over its gaps
   std::shared_ptr<const PointIndex> surface_;      // clean points and bridges
   std::shared_ptr<const SurfaceModel> model_;
+  /// Of a mesh, whatever its size.
+  static constexpr std::size_t kMostSamples = 6'000'000;
   Stock stock_;
   std::shared_ptr<const PointIndex> raw_; // of the raw part, where it was scanned
   double raw_reach_ = 0;                  // of its points [mm]

@@ -6,6 +6,7 @@
 #include <pointmill/rough/level.h>
 #include <pointmill/rough/material.h>
 #include <pointmill/rough/narrow_place.h>
+#include <pointmill/slice/z_slices.h>
 
 #include <memory>
 #include <vector>
@@ -34,6 +35,11 @@ public:
   /// @brief Distance between levels [mm]; 0: paper 001's 0.3 d / 4.
   void setStepDown(double step) { step_down_ = step; }
   double getStepDown() const { return step_down_; }
+  /// @brief The same, as it is used [mm].
+  double stepDown() const
+  {
+    return step_down_ > 0 ? step_down_ : ZSlices::pitchForDiameter(tool_.endDiameter());
+  }
   /// @brief Distance between neighbouring rows or contours [mm].
   void setStepOver(double step) { step_over_ = step; }
   double getStepOver() const { return step_over_; }
