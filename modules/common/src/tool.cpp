@@ -39,6 +39,15 @@ void Tool::validate() const
   checkRange(who, "shoulder radius", shoulder_radius, "mm", {0, corner_radius});
   checkRange(who, "flute length", flute_length, "mm", {0, 500});
   checkRange(who, "flutes", flutes, "", {1, 20});
+  checkRange(who, "shank diameter", shank_diameter, "mm", {0, 200});
+  checkRange(who, "stick-out", stick_out, "mm", {0, 1000});
+  checkRange(who, "holder diameter", holder_diameter, "mm", {0, 500});
+  if (shank_diameter > 0 && flute_length <= 0)
+    throw ParameterError(who + ": a shank diameter needs the flute length below it");
+  if ((stick_out > 0) != (holder_diameter > 0))
+    throw ParameterError(who + ": stick-out and holder diameter need each other");
+  if (stick_out > 0 && stick_out < flute_length)
+    throw ParameterError(who + ": the stick-out is shorter than the flutes");
 }
 
 std::string Tool::describe() const

@@ -224,7 +224,9 @@ GCodeWriter::Statistics GCodeWriter::write(const std::vector<Operation>& operati
                                            MachineCalls& calls) const
 {
   validateParameters(*this, "GCodeWriter");
-  const ProgramHead head{comments_, {}, tolerance_};
+  ProgramHead head;
+  head.comments = comments_;
+  head.path_tolerance = tolerance_;
   // A dry run finds every refusal before the first call.
   MachineCalls nothing;
   Plan(operations, *this, nothing).run(head);

@@ -24,6 +24,12 @@ struct Tool {
   double tip_diameter = 0.0;
   /// Rounding of the edge between cone and shank. 0, as tools are made; grown() rounds.
   double shoulder_radius = 0.0;
+  /// @name What does not cut, above the flutes; 0: not given, and not checked [mm]
+  /// @{
+  double shank_diameter = 0.0;
+  double stick_out = 0.0; ///< from the tip to the holder's face
+  double holder_diameter = 0.0;
+  /// @}
 
   static Tool flat(int number, double diameter)
   {

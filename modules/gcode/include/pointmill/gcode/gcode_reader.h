@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <functional>
 #include <iosfwd>
+#include <string>
 #include <vector>
 
 namespace pointmill {
@@ -29,12 +30,39 @@ struct ProgramMove {
   bool length_offset = false; ///< the tool's length is in force (G43)
 };
 
+/// @brief A stretch of a program by one tool: from a tool change, or from a comment
+/// that names an operation, "Operation 2: finishing", to the next.
+struct ProgramSection {
+  std::string name; ///< as in the comment, empty without one
+  int tool = 0;
+  std::size_t line = 0; ///< where it begins
+  std::size_t move = 0; ///< the first of its moves
+};
+
+/// @brief One of the files that make up a program, and which of its lines, counted
+/// through all files, is its first.
+struct ProgramFile {
+  std::string name;
+  std::size_t first_line = 1;
+};
+
+/// @brief How a program is spelled.
+enum class ProgramForm {
+  Rs274,         ///< LinuxCNC, Mach, Fanuc, Haas and their like
+  Grbl,          ///< the same without tool changer: a T word and a pause
+  Siemens,       ///< 840D
+  HeidenhainIso, ///< DIN/ISO on a TNC
+  Klartext       ///< Heidenhain's conversational form
+};
+
 /// @brief What a program does.
 struct Program {
   std::vector<ProgramMove> moves;
-  std::vector<int> tools; ///< in the order of M6
-  std::size_t lines = 0;  ///< read, up to the end of the program
-  bool ended = false;     ///< M2 or M30 seen
+  std::vector<ProgramSection> sections;
+  std::vector<ProgramFile> files; ///< empty where it is one stream
+  std::vector<int> tools;         ///< in the order of M6
+  std::size_t lines = 0;          ///< read, up to the end of the program
+  bool ended = false;             ///< M2 or M30 seen
   /// @brief Largest G64 P [mm]: how far corners may be blended. Infinite for G64
   /// without P, 0 with only G61 or G61.1, -1 where the program leaves it to the
   /// machine.
@@ -43,6 +71,12 @@ struct Program {
   /// P where Q is not given, as LinuxCNC does.
   double merge = 0.0;
   bool inches = false; ///< G20 seen; moves are in mm all the same
+
+  /// @brief Takes the moves of @p next, which is milled after this, as file @p name.
+  /// Its line numbers go on from the last line of this.
+  void append(Program next, const std::string& name);
+  /// @brief "line 12", or "part_2.nc line 12" where the program is of several files.
+  std::string where(std::size_t line) const;
 };
 
 /// @brief Reads RS-274 as LinuxCNC understands it, without macros: G0-G4 G17-G21 G40
@@ -59,6 +93,14 @@ class GCodeReader {
 public:
   using MoveHandler = std::function<void(const ProgramMove&)>;
 
+  void setForm(ProgramForm form) { form_ = form; }
+  ProgramForm getForm() const { return form_; }
+
+  /// @brief The tool that is in the spindle at the start, with its length in force; 0,
+  /// the default: not known.
+  void setMountedTool(int number) { mounted_ = number; }
+  int getMountedTool() const { return mounted_; }
+
   /// @brief Distance between an arc and its chords [mm], 1e-6 .. 1.
   void setChordError(double error) { chord_error_ = error; }
   double getChordError() const { return chord_error_; }
@@ -71,6 +113,8 @@ public:
   Program read(std::istream& in, const MoveHandler& handler) const;
 
 private:
+  ProgramForm form_ = ProgramForm::Rs274;
+  int mounted_ = 0;
   double chord_error_ = 1e-4;
 };
 
