@@ -230,7 +230,7 @@ CLI::App* declareMill(CLI::App& app, MillCommand& command)
       "of the clearance plane above the stock and all zones",
       "Machine and stock");
   add("--rapid-rate",
-      o.rapid_rate,
+      o.machine.rapid_rate,
       "MM/MIN",
       "for the time estimate",
       "Machine and stock");

@@ -100,37 +100,42 @@ void MillJob::writeProgram()
   program_ = text.str();
 }
 
+void MillJob::setCriteria()
+{
+  const ErrorBudget budget = ErrorBudget::of(options_.tolerance);
+  criteria_ = Criteria();
+  criteria_.part = points_;
+  if (clean_points_ != points_) {
+    criteria_.model = clean_points_;
+    criteria_.noise_allowance = figures_.farthest;
+  }
+  criteria_.bridges = bridges_;
+  criteria_.raw = raw_;
+  criteria_.raw_reach = raw_reach_;
+  criteria_.stock = stock_;
+  criteria_.keep_out = options_.keep_out;
+  criteria_.tools = tools();
+  criteria_.machine = options_.machine;
+  criteria_.tolerance = options_.tolerance;
+  criteria_.blend = budget.blend;
+  if (options_.boundary.empty()) // beyond a polygon all is left over
+    criteria_.residual_limit = options_.residual_limit;
+  criteria_.floor = floor_;
+  const Eigen::Vector3d size = stock_.max - stock_.min;
+  // Cells no wider than the thinnest tool's radius: nothing slips between two centres.
+  double thinnest = std::numeric_limits<double>::infinity();
+  for (const auto& tool : criteria_.tools)
+    thinnest = std::min(thinnest, tool.radius());
+  criteria_.cell =
+      std::min(std::max(0.25, std::sqrt(size.x() * size.y() / 4e6)), thinnest / 2);
+  criteria_.threads = options_.threads;
+}
+
 void MillJob::verify()
 {
   std::istringstream text(program_);
   const Program read_back = readProgram(text);
-  ProgramVerifier verifier;
-  verifier.setPart(points_);
-  if (clean_points_ != points_) {
-    verifier.setModel(clean_points_);
-    verifier.setNoiseAllowance(figures_.farthest);
-  }
-  verifier.setStock(stock_);
-  if (raw_)
-    verifier.setRawStock(raw_, raw_reach_);
-  verifier.setTools(tools());
-  verifier.setKeepOut(options_.keep_out);
-  // What the control may add by blending corners cannot be seen in the text.
-  verifier.setTolerance(options_.tolerance - ErrorBudget::of(options_.tolerance).blend);
-  if (options_.boundary.empty()) // beyond a polygon all is left over
-    verifier.setResidualLimit(options_.residual_limit);
-  const Eigen::Vector3d size = stock_.max - stock_.min;
-  // Cells no wider than the thinnest tool's radius: nothing slips between two centres.
-  double thinnest = std::numeric_limits<double>::infinity();
-  for (const auto& tool : tools())
-    thinnest = std::min(thinnest, tool.radius());
-  verifier.setCellSize(
-      std::min(std::max(0.25, std::sqrt(size.x() * size.y() / 4e6)), thinnest / 2));
-  verifier.setFloor(floor_);
-  verifier.setProtected(bridges_);
-  verifier.setBlendLimit(ErrorBudget::of(options_.tolerance).blend + 1e-9);
-  verifier.setNumberOfThreads(options_.threads);
-  verification_ = verifier.verify(read_back);
+  verification_ = criteria_.judge(read_back);
   if (!verification_.good()) {
     std::string why = "the program fails its verification and was not written:";
     for (const auto& f : verification_.findings)
@@ -177,6 +182,7 @@ void MillJob::plan(const std::string& scan)
     planFinishing(options_.finish, "finishing", options_.scallop, true);
   });
   timed("write", 0.65, [&] { writeProgram(); });
+  setCriteria();
   timed("verify", 0.7, [&] { verify(); });
   passed_ = true;
 }

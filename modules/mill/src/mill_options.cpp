@@ -14,7 +14,7 @@ void MillOptions::validate() const
   checkRange(who, "--semi-scallop", semi_scallop, "mm", {0.0005, 2});
   checkRange(who, "--cell", cell, "mm", {0, 20});
   checkRange(who, "--clearance", clearance, "mm", {0.5, 500});
-  checkRange(who, "--rapid-rate", rapid_rate, "mm/min", {10, 1e5});
+  machine.validate();
   checkRange(who, "--stock-margin", stock_margin, "mm", {0, 500});
   checkRange(who, "--stock-top", stock_top, "mm", {0, 500});
   checkRange(who, "--stock-bottom", stock_bottom, "mm", {0, 500});

@@ -21,7 +21,7 @@ void MillJob::link(PlannedOperation& planned, const CLCloud& passes, double lead
   linker.setPart(surface_, planned.allowance, floor_);
   linker.setStayDown(2 * planned.operation.tool.diameter);
   linker.setLeadRadius(lead_radius);
-  linker.setRapidRate(options_.rapid_rate);
+  linker.setRapidRate(options_.machine.rapid_rate);
   linker.setLowRapids(true);
   linker.setKeepOut(options_.keep_out);
   linker.setInputCloud(CLCloud::ConstPtr(new CLCloud(passes)));
@@ -30,8 +30,8 @@ void MillJob::link(PlannedOperation& planned, const CLCloud& passes, double lead
     planned.parameters.push_back(p);
   for (const auto& f : linker.getReport().figures())
     planned.report.set("link_" + f.first, f.second);
-  planned.figures =
-      measurePath(planned.operation.path, options_.rapid_rate, linker.getCutFigures());
+  planned.figures = measurePath(
+      planned.operation.path, options_.machine.rapid_rate, linker.getCutFigures());
   planned.volume_left = volumeLeft();
 }
 

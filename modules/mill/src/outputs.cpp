@@ -144,6 +144,8 @@ void MillJob::write(const std::string& directory)
   timed("files", 0.95, [&] {
     names.push_back("part.pcd");
     writeCloud(in("part.pcd"), *part_);
+    for (const auto& name : criteria_.writeClouds(staging.path().string()))
+      names.push_back(name);
     names.push_back("cl.pcd");
     CLCloud all;
     for (const auto& o : operations_)
@@ -163,7 +165,12 @@ void MillJob::write(const std::string& directory)
       throw DataError(directory + ": " + name + " is a directory there");
   // An old program must not stand beside a new part, nor an old picture beside both.
   fs::remove(fs::path(directory) / "program.ngc", failure);
-  for (const char* old : {"occupancy_1.png", "occupancy_2.png", "occupancy_3.png"})
+  for (const char* old : {"occupancy_1.png",
+                          "occupancy_2.png",
+                          "occupancy_3.png",
+                          "model.pcd",
+                          "bridges.pcd",
+                          "raw_part.pcd"})
     if (!failure)
       fs::remove(fs::path(directory) / old, failure);
   for (const auto& name : names) {

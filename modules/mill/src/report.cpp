@@ -2,30 +2,21 @@
 // Copyright (c) 2026, the PointMill authors
 #include "report.h"
 
+#include "criteria_json.h"
+
 #include <pointmill/mill/summary.h>
 #include <pointmill/slice/sink.h>
 
 #include <pointmill/common/version.h>
-
-#include <nlohmann/json.hpp>
 
 #include <cmath>
 
 namespace pointmill {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-/// JSON has no NaN and no infinity.
-Json number(double value)
-{
-  return std::isfinite(value) ? Json(value) : Json(nullptr);
-}
-
-Json vector(const Eigen::Vector3d& v)
-{
-  return {number(v.x()), number(v.y()), number(v.z())};
-}
+using json::Json;
+using json::number;
+using json::vector;
 
 Json quantiles(const Quantiles& q)
 {
@@ -33,22 +24,6 @@ Json quantiles(const Quantiles& q)
           {"p95", number(q.p95)},
           {"p99", number(q.p99)},
           {"max", number(q.max)}};
-}
-
-Json toolJson(const Tool& tool)
-{
-  Json json = {{"number", tool.number},
-               {"type", tool.type()},
-               {"diameter", tool.diameter},
-               {"corner_radius", tool.corner_radius},
-               {"flutes", tool.flutes}};
-  if (tool.flute_length > 0)
-    json["flute_length"] = tool.flute_length;
-  if (tool.isTapered()) {
-    json["taper_deg"] = tool.taper;
-    json["tip_diameter"] = tool.tip_diameter;
-  }
-  return json;
 }
 
 Json scanJson(const MillJob& job, const std::string& name)
@@ -213,42 +188,42 @@ std::string reportJson(const MillJob& job, const std::string& scan_name)
     for (int c = 0; c < 4; ++c)
       alignment.push_back(job.alignment()(r, c));
 
-  Json json;
-  json["pointmill"] = version;
-  json["scan"] = scanJson(job, scan_name);
-  json["alignment"] = alignment;
-  json["part"] = {{"size", vector(job.partSize())}, {"floor_z", job.floor()}};
-  json["stock"] = {{"min", vector(job.stock().min)}, {"max", vector(job.stock().max)}};
-  for (const auto& zone : o.keep_out.zones())
-    json["keep_out"]["zones"].push_back(zone.describe());
-  json["keep_out"]["margin_mm"] = o.keep_out.margin();
-  json["clearance_plane_z"] = job.clearancePlane();
-  json["tools"] = Json::array();
+  Json report;
+  report["pointmill"] = version;
+  report["scan"] = scanJson(job, scan_name);
+  report["alignment"] = alignment;
+  report["part"] = {{"size", vector(job.partSize())}, {"floor_z", job.floor()}};
+  report["stock"] = json::of(job.stock());
+  report["keep_out"] = json::of(o.keep_out);
+  report["machine"] = json::of(o.machine);
+  report["criteria"] = json::of(job.criteria());
+  report["clearance_plane_z"] = job.clearancePlane();
+  report["tools"] = Json::array();
   for (const auto& tool : job.tools())
-    json["tools"].push_back(toolJson(tool));
-  json["tolerance"] = {{"total_mm", o.tolerance},
-                       {"chord_mm", budget.chord},
-                       {"control_blend_mm", budget.blend},
-                       {"rounding_mm", budget.rounding},
-                       {"scallop_mm", o.scallop},
-                       {"semi_scallop_mm", o.semi_scallop}};
-  json["surface"] = surfaceJson(job);
-  json["gaps"] = gapsJson(job);
-  json["operations"] = Json::array();
+    report["tools"].push_back(json::of(tool));
+  report["tolerance"] = {{"total_mm", o.tolerance},
+                         {"chord_mm", budget.chord},
+                         {"control_blend_mm", budget.blend},
+                         {"rounding_mm", budget.rounding},
+                         {"scallop_mm", o.scallop},
+                         {"semi_scallop_mm", o.semi_scallop}};
+  report["surface"] = surfaceJson(job);
+  report["gaps"] = gapsJson(job);
+  report["operations"] = Json::array();
   for (const auto& planned : job.operations())
-    json["operations"].push_back(operationJson(planned, job.verification()));
-  json["idle_operations"] = Json::array();
+    report["operations"].push_back(operationJson(planned, job.verification()));
+  report["idle_operations"] = Json::array();
   for (const auto& planned : job.idleOperations())
-    json["idle_operations"].push_back(
+    report["idle_operations"].push_back(
         {{"name", planned.operation.name}, {"tool", planned.operation.tool.number}});
-  json["minutes"] = job.minutes();
-  json["verification"] =
-      verificationJson(job.verification(), o.tolerance - budget.blend);
-  json["warnings"] = warningsOf(job);
-  json["seconds"] = Json::object();
+  report["minutes"] = job.minutes();
+  report["verification"] =
+      verificationJson(job.verification(), job.criteria().gougeLimit());
+  report["warnings"] = warningsOf(job);
+  report["seconds"] = Json::object();
   for (const auto& [stage, seconds] : job.seconds())
-    json["seconds"][stage] = seconds;
-  return json.dump(2) + "\n";
+    report["seconds"][stage] = seconds;
+  return report.dump(2) + "\n";
 }
 
 } // namespace pointmill

@@ -33,6 +33,9 @@ public:
   /// simple and has an area.
   void validate() const;
 
+  /// @brief Of the outline; a disc has its centre alone.
+  const std::vector<Eigen::Vector2d>& corners() const { return corners_; }
+  double radius() const { return radius_; } ///< of a disc; 0 of others
   double top() const { return top_; }
   /// @name The zone's box in XY
   /// @{

@@ -4,6 +4,7 @@
 
 #include <pointmill/common/report.h>
 #include <pointmill/link/link_passes.h>
+#include <pointmill/mill/criteria.h>
 #include <pointmill/mill/mill_options.h>
 #include <pointmill/rough/narrow_place.h>
 #include <pointmill/slice/spacing.h>
@@ -86,6 +87,8 @@ public:
   const std::vector<PlannedOperation>& operations() const { return operations_; }
   /// @brief Those that found nothing to cut, without a path.
   const std::vector<PlannedOperation>& idleOperations() const { return idle_; }
+  /// @brief What the program is judged by, with all that does not depend on it.
+  const Criteria& criteria() const { return criteria_; }
   const Verification& verification() const { return verification_; }
   const std::string& program() const { return program_; }
   const pcl::PointCloud<pcl::PointXYZ>& part() const { return *part_; }
@@ -142,6 +145,7 @@ private:
   void link(PlannedOperation& planned, const CLCloud& passes, double lead_radius);
   double volumeLeft() const;
   void writeProgram();
+  void setCriteria();
   void verify();
   void timed(const std::string& stage, double done, const std::function<void()>& work);
 
@@ -169,6 +173,7 @@ private:
   double floor_ = 0, bridged_area_ = 0;
   std::vector<PlannedOperation> operations_, idle_;
   std::string program_;
+  Criteria criteria_;
   Verification verification_;
   bool passed_ = false;
   std::vector<std::pair<std::string, double>> seconds_;

@@ -4,6 +4,7 @@
 
 #include <pointmill/align/z_alignment.h>
 #include <pointmill/common/keep_out.h>
+#include <pointmill/common/machine.h>
 #include <pointmill/common/operation.h>
 #include <pointmill/common/stock.h>
 #include <pointmill/finish/cl_surface.h>
@@ -67,7 +68,7 @@ struct MillOptions {
 
   // the machine
   double clearance = 5.0; ///< rapids go sideways so far above the stock [mm]
-  double rapid_rate = 5000.0;
+  Machine machine;
   double stock_margin = 0.0; ///< stock beyond the part on each side in X and Y [mm]
   double stock_top = 0.0;    ///< stock above the part's highest point [mm]
   double stock_bottom = 0.0; ///< stock below the part's lowest point [mm]
