@@ -37,6 +37,14 @@ public:
   }
 };
 
+/// @name The options of `mill` by their groups
+/// @{
+void declareScan(CLI::App& mill, MillCommand& command);
+void declareAccuracy(CLI::App& mill, MillCommand& command);
+void declareSetUp(CLI::App& mill, MillCommand& command);
+void declareOperations(CLI::App& mill, MillCommand& command);
+/// @}
+
 /// @brief Declares the command and its options.
 CLI::App* declareMill(CLI::App& app, MillCommand& command);
 
