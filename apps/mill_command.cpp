@@ -5,6 +5,7 @@
 #include "keep_out_option.h"
 #include "option.h"
 
+#include <pointmill/common/cutting_data.h>
 #include <pointmill/mill/mill_job.h>
 #include <pointmill/mill/summary.h>
 
@@ -64,6 +65,7 @@ CLI::App* declareMill(CLI::App& app, MillCommand& command)
   MillOptions& o = command.options;
   CLI::App* mill = app.add_subcommand(
       "mill", "turn a scan into a verified NC program with its picture and report");
+  command.app = mill;
   mill->add_option(
           "SCAN", command.scan, "PCD, PLY, OBJ, STL or text (XYZ, ASC, PTS, CSV)")
       ->required();
@@ -75,18 +77,57 @@ CLI::App* declareMill(CLI::App& app, MillCommand& command)
   declareScan(*mill, command);
   declareAccuracy(*mill, command);
   declareSetUp(*mill, command);
+  declareMachine(*mill, command);
   declareOperations(*mill, command);
+  declareProgram(*mill, command);
   declareJob(*mill, "Roughing", command.rough_tool, o.rough);
   declareJob(*mill, "Semi-finishing", command.semi_tool, o.semi);
   declareJob(*mill, "Finishing", command.finish_tool, o.finish);
   return mill;
 }
 
-int runMill(MillCommand& command)
+namespace {
+
+Stock boxOf(const std::vector<double>& b)
+{
+  return {{b[0], b[1], b[2]}, {b[3], b[4], b[5]}};
+}
+
+/// Speeds and feeds for the material, but those that were given.
+void setCutting(MillOptions& o, const MillCommand& command)
+{
+  const WorkMaterial& material = workMaterial(command.material);
+  const auto set = [&](const ToolOptions& said, ToolJob& job, CutKind kind) {
+    CutSetting cut;
+    cut.material = material;
+    cut.tool = job.tool;
+    cut.kind = kind;
+    if (kind == CutKind::Roughing) {
+      cut.depth = o.stepDown();
+      cut.width = o.stepOver();
+    }
+    const Cutting found = cuttingFor(cut, o.machine);
+    const auto take = [&](const char* option, double& value, double better) {
+      if (command.app->count("--" + said.name + option) == 0)
+        value = better;
+    };
+    take("-spindle", job.cutting.spindle, found.spindle);
+    take("-feed", job.cutting.feed, found.feed);
+    take("-plunge-feed", job.cutting.plunge_feed, found.plunge_feed);
+    job.cutting.coolant = found.coolant;
+  };
+  set(command.rough_tool, o.rough, CutKind::Roughing);
+  set(command.semi_tool, o.semi, CutKind::Finishing);
+  set(command.finish_tool, o.finish, CutKind::Finishing);
+}
+
+/// What the options hold that is not said word by word.
+void completeOptions(MillCommand& command)
 {
   MillOptions& o = command.options;
   o.square = !command.no_square;
   o.remove_strays = !command.keep_strays;
+  o.arcs = !command.no_arcs;
   for (const auto& [x, y] : command.through_holes)
     o.through_holes.emplace_back(x, y);
   if (command.polygon.size() % 2 != 0)
@@ -96,18 +137,28 @@ int runMill(MillCommand& command)
   o.rough.tool = command.rough_tool.toolFrom(o.rough.tool);
   o.semi.tool = command.semi_tool.toolFrom(o.semi.tool);
   o.finish.tool = command.finish_tool.toolFrom(o.finish.tool);
-  if (!command.stock_box.empty()) {
-    const auto& b = command.stock_box;
-    o.stock_box = Stock{{b[0], b[1], b[2]}, {b[3], b[4], b[5]}};
-  }
+  if (!command.stock_box.empty())
+    o.stock_box = boxOf(command.stock_box);
+  if (!command.travel.empty())
+    o.machine.travel = boxOf(command.travel);
   o.keep_out = readKeepOut(command.keep_out, command.keep_out_margin);
+  if (!command.material.empty())
+    setCutting(o, command);
+  if (command.no_coolant)
+    for (auto* job : {&o.rough, &o.semi, &o.finish})
+      job->cutting.coolant = false;
   if (command.rest_diameter) {
     o.rest = o.rough; // its feeds and allowance
     o.rest->tool = Tool::flat(4, *command.rest_diameter);
-    o.rest->cutting.coolant = !command.no_coolant;
   }
-  for (auto* job : {&o.rough, &o.semi, &o.finish})
-    job->cutting.coolant = !command.no_coolant;
+}
+
+} // namespace
+
+int runMill(MillCommand& command)
+{
+  completeOptions(command);
+  const MillOptions& o = command.options;
   if (command.directory.empty())
     command.directory = std::filesystem::path(command.scan).stem().string() + "_nc";
 
@@ -127,7 +178,13 @@ int runMill(MillCommand& command)
     if (shown)
       bar(stage, done);
   });
-  job.plan(command.scan);
+  try {
+    job.plan(command.scan);
+  }
+  catch (const VerificationError&) {
+    job.writeRefusal(command.directory);
+    throw;
+  }
   job.write(command.directory);
   if (shown)
     bar.finish();

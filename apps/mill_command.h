@@ -17,15 +17,18 @@
 /// @brief What `pointmill mill` was told on its command line.
 struct MillCommand {
   pointmill::MillOptions options;
+  const CLI::App* app = nullptr; ///< that declares the options
   ToolOptions rough_tool{"rough"}, semi_tool{"semi"}, finish_tool{"finish"};
   std::string scan, directory;
   std::optional<double> rest_diameter;
-  std::vector<double> stock_box; ///< X0 Y0 Z0 X1 Y1 Z1
+  std::vector<double> stock_box, travel; ///< X0 Y0 Z0 X1 Y1 Z1
+  std::string material;
   std::vector<std::string> keep_out;
   double keep_out_margin = pointmill::KeepOut().margin();
   std::vector<double> polygon; ///< X and Y in turn
   std::vector<std::pair<double, double>> through_holes;
   bool quiet = false, no_square = false, keep_strays = false, no_coolant = false;
+  bool no_arcs = false;
 };
 
 /// @brief Thrown when the user stops the program (Ctrl-C); nothing was written.
@@ -42,6 +45,8 @@ public:
 void declareScan(CLI::App& mill, MillCommand& command);
 void declareAccuracy(CLI::App& mill, MillCommand& command);
 void declareSetUp(CLI::App& mill, MillCommand& command);
+void declareMachine(CLI::App& mill, MillCommand& command);
+void declareProgram(CLI::App& mill, MillCommand& command);
 void declareOperations(CLI::App& mill, MillCommand& command);
 /// @}
 

@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -18,11 +19,11 @@ inline CLI::Option* numberOption(CLI::App& app,
   return app.add_option(name, value, help)->type_name(unit)->capture_default_str();
 }
 
-/// @brief An option that takes one of a few names.
+/// @brief An option that takes one of a few names, and calls @p set with its value.
 template <typename Value>
 CLI::Option* choice(CLI::App& app,
                     const std::string& name,
-                    Value& value,
+                    const std::function<void(Value)>& set,
                     const std::vector<std::pair<std::string, Value>>& choices,
                     const std::string& help)
 {
@@ -32,14 +33,26 @@ CLI::Option* choice(CLI::App& app,
   return app
       .add_option_function<std::string>(
           name,
-          [=, &value](const std::string& given) {
+          [=](const std::string& given) {
             for (const auto& c : choices)
               if (c.first == given) {
-                value = c.second;
+                set(c.second);
                 return;
               }
             throw CLI::ValidationError(name, "must be " + names + ", not " + given);
           },
           help)
       ->type_name(names);
+}
+
+/// @brief The same for a variable.
+template <typename Value>
+CLI::Option* choice(CLI::App& app,
+                    const std::string& name,
+                    Value& value,
+                    const std::vector<std::pair<std::string, Value>>& choices,
+                    const std::string& help)
+{
+  return choice<Value>(
+      app, name, [&value](Value chosen) { value = chosen; }, choices, help);
 }

@@ -3,6 +3,7 @@
 //
 // pointmill: from the scan of a part to the program that mills it.
 // Exit codes: 0 good, 1 usage, 2 bad input, 3 refused by verification.
+#include "check_command.h"
 #include "mill_command.h"
 
 #include <pointmill/common/error.h>
@@ -20,15 +21,19 @@ int main(int argc, char** argv)
   app.get_formatter()->column_width(44);
   MillCommand mill;
   CLI::App* mill_command = declareMill(app, mill);
+  CheckCommand check;
+  CLI::App* check_command = declareCheck(app, check);
   try {
     app.parse(argc, argv);
     if (mill_command->parsed())
       return runMill(mill);
+    if (check_command->parsed())
+      return runCheck(check);
   }
   catch (const CLI::ParseError& e) {
     if (e.get_exit_code() == 0) // --help, --version
       return app.exit(e);
-    std::cerr << "pointmill: " << e.what() << " (pointmill mill --help)\n";
+    std::cerr << "pointmill: " << e.what() << " (pointmill --help)\n";
     return 1;
   }
   catch (const Interrupted& e) {

@@ -8,7 +8,7 @@ using namespace pointmill;
 
 namespace {
 
-const char* const kGroup = "Machine and stock";
+const char* const kGroup = "Stock and set-up";
 
 } // namespace
 
@@ -20,9 +20,6 @@ void declareSetUp(CLI::App& mill, MillCommand& command)
                o.clearance,
                "MM",
                "of the clearance plane above the stock and all zones")
-      ->group(kGroup);
-  numberOption(
-      mill, "--rapid-rate", o.machine.rapid_rate, "MM/MIN", "for the time estimate")
       ->group(kGroup);
   numberOption(mill,
                "--stock-margin",
@@ -49,7 +46,6 @@ void declareSetUp(CLI::App& mill, MillCommand& command)
       ->type_name("MM")
       ->default_str("the part's lowest point")
       ->group(kGroup);
-  mill.add_flag("--no-coolant", command.no_coolant, "no M8")->group(kGroup);
   mill.add_option("--keep-out",
                   command.keep_out,
                   std::string("where no tool may be, a clamp: ") + kKeepOutSyntax +

@@ -49,7 +49,10 @@ void ToolOptions::declare(CLI::App& app, const std::string& group, const Tool& s
   add("-corner", corner, "MM", "", "corner radius, of a bull or a tapered bull");
   add("-taper", taper, "DEG", "", "half-angle from the axis, of a taper or a cone");
   add("-tip", tip, "MM", "", "diameter at the tip, of a taper or a cone");
-  add("-flute-length", flute_length, "MM", "", "warn of cuts that are deeper");
+  add("-flute-length", flute_length, "MM", "", "refuse cuts that are deeper");
+  add("-shank", shank, "MM", "", "diameter above the flutes");
+  add("-stick-out", stick_out, "MM", "", "from the tip to the holder");
+  add("-holder", holder, "MM", "", "diameter of the holder");
   add("-flutes", flutes, "N", std::to_string(standard.flutes), "number of teeth");
 }
 
@@ -86,5 +89,8 @@ Tool ToolOptions::toolFrom(const Tool& standard) const
                      : Tool::ball(n, d);
   tool.flute_length = flute_length.value_or(standard.flute_length);
   tool.flutes = flutes.value_or(standard.flutes);
+  tool.shank_diameter = shank.value_or(standard.shank_diameter);
+  tool.stick_out = stick_out.value_or(standard.stick_out);
+  tool.holder_diameter = holder.value_or(standard.holder_diameter);
   return tool;
 }

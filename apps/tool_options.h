@@ -16,7 +16,7 @@ struct ToolOptions {
 
   std::string name; ///< the options' common beginning, as "finish"
   std::optional<std::string> type;
-  std::optional<double> diameter, corner, taper, tip, flute_length;
+  std::optional<double> diameter, corner, taper, tip, flute_length, shank, stick_out, holder;
   std::optional<int> flutes;
 
   /// @brief Declares `--NAME-type`, `--NAME-diameter` and so on.

@@ -77,7 +77,7 @@ TEST(MillJob, WritesIntoADirectoryThatIsThereAndKeepsWhatIsInIt)
   job.plan(data("dome.pcd"));
   for (const char* name : {"a/nc", "a/nc/", "b/c/d"}) {
     job.write((folder / name).string());
-    EXPECT_TRUE(contents(folder / name / "program.ngc") == job.program()) << name;
+    EXPECT_TRUE(contents(folder / name / "program.ngc") == job.programs().front().text) << name;
   }
   EXPECT_EQ(contents(folder / "a/nc/notes.txt"), "mine");
   for (const auto& entry : fs::recursive_directory_iterator(folder / ""))
@@ -124,7 +124,7 @@ TEST(MillJob, ASecondPlanDoesNotRememberTheFirst)
   both.plan(data("cone.pcd"));
   both.plan(data("dome.pcd"));
   fresh.plan(data("dome.pcd"));
-  EXPECT_TRUE(both.program() == fresh.program());
+  EXPECT_TRUE(both.programs().front().text == fresh.programs().front().text);
   EXPECT_EQ(both.operations().size(), fresh.operations().size());
 }
 

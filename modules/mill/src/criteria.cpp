@@ -7,8 +7,10 @@
 #include <pointmill/io/write_cloud.h>
 #include <pointmill/mill/criteria.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <limits>
 
 namespace pointmill {
@@ -41,6 +43,32 @@ struct Beside {
   const char* name; ///< in report.json
   const char* file;
 };
+struct FormName {
+  ProgramForm form;
+  const char* name;
+};
+constexpr FormName kForms[] = {{ProgramForm::Rs274, "rs274"},
+                               {ProgramForm::Grbl, "grbl"},
+                               {ProgramForm::Siemens, "siemens"},
+                               {ProgramForm::HeidenhainIso, "heidenhain_iso"},
+                               {ProgramForm::Klartext, "klartext"}};
+
+const char* nameOf(ProgramForm form)
+{
+  return std::find_if(std::begin(kForms),
+                      std::end(kForms),
+                      [&](const FormName& f) { return f.form == form; })
+      ->name;
+}
+
+ProgramForm formNamed(const std::string& name)
+{
+  for (const auto& f : kForms)
+    if (name == f.name)
+      return f.form;
+  throw DataError("report.json: criteria: the form " + name + " is not known");
+}
+
 constexpr Beside kBeside[] = {{&Criteria::model, "model", "model.pcd"},
                               {&Criteria::bridges, "bridges", "bridges.pcd"},
                               {&Criteria::raw, "raw_part", "raw_part.pcd"}};
@@ -59,6 +87,7 @@ Verification Criteria::judge(const Program& program) const
   if (raw)
     verifier.setRawStock(raw, raw_reach);
   verifier.setTools(tools);
+  verifier.setMachine(machine);
   verifier.setKeepOut(keep_out);
   // What the control may add by blending corners cannot be seen in the text.
   verifier.setTolerance(gougeLimit());
@@ -93,6 +122,8 @@ Json json::of(const Criteria& criteria)
                {"residual_limit_mm", criteria.residual_limit},
                {"floor_z", criteria.floor},
                {"cell_mm", criteria.cell},
+               {"arc_error_mm", criteria.arc_error},
+               {"form", nameOf(criteria.form)},
                {"raw_reach_mm", criteria.raw_reach}};
   json["clouds"] = Json{{"part", "part.pcd"}};
   for (const auto& beside : kBeside)
@@ -121,6 +152,8 @@ Criteria Criteria::read(const std::string& directory)
     criteria.residual_limit = json.at("residual_limit_mm");
     criteria.floor = json.at("floor_z");
     criteria.cell = json.at("cell_mm");
+    criteria.arc_error = json.at("arc_error_mm");
+    criteria.form = formNamed(json.at("form"));
     criteria.raw_reach = json.at("raw_reach_mm");
     criteria.stock = json::stockFrom(report.at("stock"));
     criteria.keep_out = json::keepOutFrom(report.at("keep_out"));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the PointMill authors
+#include <pointmill/gcode/arc_fitter.h>
 #include <pointmill/gcode/gcode_writer.h>
 #include <pointmill/mill/mill_job.h>
 
@@ -11,6 +12,20 @@
 #include <sstream>
 
 namespace pointmill {
+namespace {
+
+/// Programs of more files are a slip.
+constexpr std::size_t kMostFiles = 1000;
+
+std::string joined(const std::vector<std::string>& lines, const std::string& between)
+{
+  std::string text;
+  for (const auto& line : lines)
+    text += (text.empty() ? "" : between) + line;
+  return text;
+}
+
+} // namespace
 
 void MillJob::timed(const std::string& stage,
                     double done,
@@ -73,16 +88,29 @@ std::vector<std::string> MillJob::setUp() const
           text};
 }
 
-void MillJob::writeProgram()
+void MillJob::writeProgram(const std::vector<std::string>& remarks)
 {
   const ErrorBudget budget = ErrorBudget::of(options_.tolerance);
-  GCodeWriter writer;
+  GCodeWriter writer = options_.writer;
+  writer.setComments(remarks);
   writer.addComment("part " + scan_name_);
   for (const auto& line : setUp())
     writer.addComment(line);
+  writer.setStock(stock_);
   writer.setClearancePlane(clearancePlane());
   writer.setLowRapids(true); // LinkPasses proves them
   writer.setPathTolerance(budget.blend);
+  writer.setMaxFeed(options_.machine.max_feed);
+  writer.addAdapter([&](MachineCalls& next) {
+    auto fitter = std::make_unique<ArcFitter>(next, writer.getGrid());
+    fitter->setTolerance(budget.arcs);
+    fitter->setArcs(options_.arcs);
+    for (const auto plane : {ArcPlane::XY, ArcPlane::ZX, ArcPlane::YZ})
+      fitter->setPlane(plane, writer.getPost().takesArcs(plane));
+    if (!writer.getPost().helices)
+      fitter->setSteepestHelix(0);
+    return fitter;
+  });
   std::vector<Operation> operations;
   std::uint32_t passes = 0;
   for (auto& o : operations_) { // pass numbers run through the whole program
@@ -94,10 +122,20 @@ void MillJob::writeProgram()
     passes = last;
     operations.push_back(o.operation);
   }
-  std::ostringstream text;
-  text.imbue(std::locale::classic());
-  writer.write(operations, text);
-  program_ = text.str();
+  std::vector<std::pair<std::string, std::ostringstream>> files;
+  files.reserve(kMostFiles); // the writer holds on to the streams
+  program_figures_ = writer.write(operations, [&](const std::string& suffix) -> auto& {
+    if (files.size() == kMostFiles)
+      throw DataError("the program would be of more than " +
+                      std::to_string(kMostFiles) + " files: --max-lines");
+    files.emplace_back("program" + suffix + "." + writer.getPost().extension,
+                       std::ostringstream());
+    files.back().second.imbue(std::locale::classic());
+    return files.back().second;
+  });
+  programs_.clear();
+  for (auto& [name, text] : files)
+    programs_.push_back({name, text.str()});
 }
 
 void MillJob::setCriteria()
@@ -118,6 +156,8 @@ void MillJob::setCriteria()
   criteria_.machine = options_.machine;
   criteria_.tolerance = options_.tolerance;
   criteria_.blend = budget.blend;
+  criteria_.corners_by_control = options_.writer.getCorners() == Corners::Control;
+  criteria_.form = options_.writer.getPost().form;
   if (options_.boundary.empty()) // beyond a polygon all is left over
     criteria_.residual_limit = options_.residual_limit;
   criteria_.floor = floor_;
@@ -133,17 +173,19 @@ void MillJob::setCriteria()
 
 void MillJob::verify()
 {
-  std::istringstream text(program_);
-  const Program read_back = readProgram(text);
-  verification_ = criteria_.judge(read_back);
-  if (!verification_.good()) {
-    std::string why = "the program fails its verification and was not written:";
-    for (const auto& f : verification_.findings)
-      why +=
-          " " + f.text + (f.line ? " (line " + std::to_string(f.line) + ")" : "") + ";";
-    why.pop_back();
-    throw VerificationError(why);
-  }
+  std::vector<ProgramStream> files;
+  for (const auto& p : programs_)
+    files.push_back({p.name, std::make_unique<std::istringstream>(p.text)});
+  judgement_ = judge(std::move(files), criteria_);
+  takeTimes();
+}
+
+void MillJob::takeTimes()
+{
+  // The writer made a section of each operation.
+  const auto& sections = judgement_.time.sections;
+  for (std::size_t i = 0; i < operations_.size() && i < sections.size(); ++i)
+    operations_[i].figures.minutes = sections[i].total() / 60;
 }
 
 void MillJob::plan(const std::string& scan)
@@ -181,9 +223,21 @@ void MillJob::plan(const std::string& scan)
   timed("finishing", 0.5, [&] {
     planFinishing(options_.finish, "finishing", options_.scallop, true);
   });
-  timed("write", 0.65, [&] { writeProgram(); });
+  timed("write", 0.65, [&] { writeProgram({}); });
   setCriteria();
   timed("verify", 0.7, [&] { verify(); });
+  passed_ = verification().good();
+  if (passed_)
+    return;
+  const auto findings = findingLines(verification(), judgement_.program);
+  if (!options_.force)
+    throw VerificationError("the program fails its verification and was not written: " +
+                            joined(findings, "; "));
+  // Its head says what is wrong with it, and the lines are counted anew.
+  std::vector<std::string> remarks{"FORCED: this program fails its verification"};
+  remarks.insert(remarks.end(), findings.begin(), findings.end());
+  timed("write, forced", 0.75, [&] { writeProgram(remarks); });
+  timed("verify, forced", 0.75, [&] { verify(); });
   passed_ = true;
 }
 

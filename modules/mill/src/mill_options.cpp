@@ -1,10 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the PointMill authors
 #include <pointmill/mill/mill_options.h>
+#include <pointmill/slice/z_slices.h>
 
 #include <cmath>
 
 namespace pointmill {
+
+double MillOptions::stepDown() const
+{
+  return step_down > 0 ? step_down
+                       : ZSlices::pitchForDiameter(rough.tool.endDiameter());
+}
+
+double MillOptions::stepOver() const
+{
+  return step_over > 0 ? step_over : kRoughStepOver * rough.tool.endDiameter();
+}
 
 void MillOptions::validate() const
 {
@@ -57,6 +69,12 @@ void MillOptions::validate() const
     job->tool.validate();
     const std::string tool = who + ": " + job->tool.describe();
     checkRange(tool, "spindle", job->cutting.spindle, "rpm", {1, 200000});
+    if (machine.max_spindle > 0)
+      checkRange(tool,
+                 "spindle",
+                 job->cutting.spindle,
+                 "rpm",
+                 {machine.min_spindle, machine.max_spindle});
     checkRange(tool, "feed", job->cutting.feed, "mm/min", {1, 50000});
     checkRange(tool, "plunge feed", job->cutting.plunge_feed, "mm/min", {1, 50000});
     checkRange(tool, "allowance", job->allowance, "mm", {0, 20});
@@ -70,13 +88,14 @@ void MillOptions::validate() const
     for (std::size_t k = 0; k < i; ++k)
       if (jobs[i]->tool.number == jobs[k]->tool.number)
         throw ParameterError(who + ": two tools have one number");
+  writer.getPost().validate();
   if (rest && rest->tool.diameter >= rough.tool.diameter)
     throw ParameterError(who + ": --rest-tool is no smaller than the roughing tool");
 }
 
 ErrorBudget ErrorBudget::of(double tolerance)
 {
-  return {0.45 * tolerance, 0.5 * tolerance, 0.05 * tolerance};
+  return {0.3 * tolerance, 0.15 * tolerance, 0.5 * tolerance, 0.05 * tolerance};
 }
 
 } // namespace pointmill

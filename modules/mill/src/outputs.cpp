@@ -6,11 +6,14 @@
 #include <pointmill/io/write_file.h>
 #include <pointmill/mill/mill_job.h>
 #include <pointmill/slice/z_slices.h>
+#include <pointmill/visual/deviation_picture.h>
 #include <pointmill/visual/occupancy_picture.h>
 #include <pointmill/visual/preview.h>
 
 #include <cstdio>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <random>
 
 namespace pointmill {
@@ -60,9 +63,7 @@ std::vector<double> shownLevels(const MillJob& job)
 {
   ZSlices slices;
   slices.setZLimits(job.floor(), job.stock().top());
-  slices.setPitch(job.options().step_down > 0
-                      ? job.options().step_down
-                      : ZSlices::pitchForDiameter(job.options().rough.tool.diameter));
+  slices.setPitch(job.options().stepDown());
   const auto levels = slices.levels();
   std::vector<double> shown;
   for (const double share : {0.25, 0.5, 0.75}) {
@@ -106,6 +107,51 @@ PreviewScene sceneOf(const MillJob& job, const std::string& title)
   return scene;
 }
 
+/// What an earlier job may have left that this one need not have.
+const char* const kMayBeOld[] = {"program.ngc",
+                                 "occupancy_1.png",
+                                 "occupancy_2.png",
+                                 "occupancy_3.png",
+                                 "findings.png",
+                                 "model.pcd",
+                                 "bridges.pcd",
+                                 "raw_part.pcd",
+                                 "refused.png",
+                                 "refused.json"};
+
+/// What an earlier job left that must go, its program by its report.
+std::vector<std::string> leftIn(const fs::path& directory)
+{
+  std::vector<std::string> names(std::begin(kMayBeOld), std::end(kMayBeOld));
+  std::ifstream in(directory / "report.json");
+  for (auto& name : programsOf(in))
+    names.push_back(std::move(name));
+  return names;
+}
+
+/// Moves files from where they were written to where they are to be.
+void install(const fs::path& from,
+             const fs::path& directory,
+             const std::vector<std::string>& names,
+             std::vector<std::string> old)
+{
+  std::error_code failure;
+  fs::create_directories(directory, failure);
+  for (const auto& name : names)
+    if (fs::is_directory(directory / name))
+      throw DataError(directory.string() + ": " + name + " is a directory there");
+  // An old program must not stand beside a new part, nor an old picture beside both.
+  for (const auto& name : old)
+    if (!failure)
+      fs::remove(directory / name, failure);
+  for (const auto& name : names) {
+    if (!failure)
+      fs::rename(from / name, directory / name, failure);
+    if (failure)
+      throw DataError(directory.string() + ": cannot be written: " + failure.message());
+  }
+}
+
 } // namespace
 
 void MillJob::checkDirectory(const std::string& scan, const std::string& directory)
@@ -140,6 +186,12 @@ void MillJob::write(const std::string& directory)
     }
     names.push_back("preview.png");
     writePreview(in("preview.png"), sceneOf(*this, scan_name_));
+    names.push_back("deviation.png");
+    writeDeviation(in("deviation.png"), verification().deviations, options_.tolerance);
+    if (!verification().findings.empty()) {
+      names.push_back("findings.png");
+      writeFindings(in("findings.png"), scan_name_, judgement_, criteria_);
+    }
   });
   timed("files", 0.95, [&] {
     names.push_back("part.pcd");
@@ -155,30 +207,24 @@ void MillJob::write(const std::string& directory)
   names.push_back("report.json");
   writeFileAtomically(in("report.json"),
                       [&](std::ostream& out) { out << reportJson(*this, scan_name_); });
-  names.push_back("program.ngc"); // last: where it is, the others are
-  writeFileAtomically(in("program.ngc"), [&](std::ostream& out) { out << program_; });
-
-  std::error_code failure;
-  fs::create_directories(directory, failure);
-  for (const auto& name : names)
-    if (fs::is_directory(fs::path(directory) / name))
-      throw DataError(directory + ": " + name + " is a directory there");
-  // An old program must not stand beside a new part, nor an old picture beside both.
-  fs::remove(fs::path(directory) / "program.ngc", failure);
-  for (const char* old : {"occupancy_1.png",
-                          "occupancy_2.png",
-                          "occupancy_3.png",
-                          "model.pcd",
-                          "bridges.pcd",
-                          "raw_part.pcd"})
-    if (!failure)
-      fs::remove(fs::path(directory) / old, failure);
-  for (const auto& name : names) {
-    if (!failure)
-      fs::rename(staging.path() / name, fs::path(directory) / name, failure);
-    if (failure)
-      throw DataError(directory + ": cannot be written: " + failure.message());
+  for (const auto& program : programs_) { // last: where it is, the others are
+    names.push_back(program.name);
+    writeFileAtomically(in(program.name),
+                        [&](std::ostream& out) { out << program.text; });
   }
+  install(staging.path(), directory, names, leftIn(directory));
+}
+
+void MillJob::writeRefusal(const std::string& directory)
+{
+  if (passed_ || verification().findings.empty())
+    throw VerificationError("there is no program that was refused");
+  Staging staging(directory);
+  writeFindings(
+      (staging.path() / "refused.png").string(), scan_name_, judgement_, criteria_);
+  writeFileAtomically((staging.path() / "refused.json").string(),
+                      [&](std::ostream& out) { out << reportJson(*this, scan_name_); });
+  install(staging.path(), directory, {"refused.png", "refused.json"}, {});
 }
 
 } // namespace pointmill

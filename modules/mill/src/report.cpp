@@ -21,6 +21,7 @@ using json::vector;
 Json quantiles(const Quantiles& q)
 {
   return {{"p50", number(q.p50)},
+          {"p90", number(q.p90)},
           {"p95", number(q.p95)},
           {"p99", number(q.p99)},
           {"max", number(q.max)}};
@@ -145,11 +146,23 @@ Json operationJson(const PlannedOperation& planned, const Verification& verifica
   return json;
 }
 
-Json verificationJson(const Verification& v, double tolerance)
+Json verificationJson(const Judgement& judgement, double tolerance)
 {
+  const Verification& v = judgement.verification;
   Json findings = Json::array();
-  for (const auto& f : v.findings)
-    findings.push_back({{"code", f.code}, {"text", f.text}, {"line", f.line}});
+  for (const auto& f : v.findings) {
+    Json finding = {{"code", f.code},
+                    {"severity", f.severity == Severity::Error ? "error" : "warning"},
+                    {"text", f.text},
+                    {"worst", number(f.worst)},
+                    {"count", f.count},
+                    {"where", f.line > 0 ? judgement.program.where(f.line) : ""}};
+    if (f.place)
+      finding["at"] = vector(*f.place);
+    if (f.tool > 0)
+      finding["tool"] = f.tool;
+    findings.push_back(finding);
+  }
   const double points = static_cast<double>(std::max<std::size_t>(1, v.points));
   return {{"passed", v.good()},
           {"gouge_tolerance_mm", tolerance},
@@ -170,11 +183,35 @@ Json verificationJson(const Verification& v, double tolerance)
           {"kept_out_points", v.kept_out_points},
           {"unreachable_share", static_cast<double>(v.unreachable_points) / points},
           {"untouched_points", v.untouched_points},
+          {"untouched_share", v.untouchedShare()},
           {"feed_moves", v.feed_moves},
           {"rapid_moves", v.rapid_moves},
           {"feed_mm", v.feed_length},
           {"rapid_mm", v.rapid_length},
           {"findings", findings}};
+}
+
+const char* nameOf(Unit unit)
+{
+  return unit == Unit::Millimetre ? "mm" : "inch";
+}
+
+Json programJson(const MillJob& job)
+{
+  const GCodeWriter& writer = job.options().writer;
+  const GCodeWriter::Statistics& f = job.programFigures();
+  Json json = {{"post", writer.getPost().name},
+               {"control", writer.getPost().control},
+               {"units", nameOf(writer.getUnit())},
+               {"arcs", job.options().arcs && !writer.getPost().arc_planes.empty()},
+               {"forced", !job.verification().good()},
+               {"lines", f.lines},
+               {"bytes", f.bytes},
+               {"feed_moves_planned", f.feed_moves},
+               {"slowed_to_max_feed", f.slowed}};
+  for (const auto& p : job.programs())
+    json["files"].push_back({{"name", p.name}, {"bytes", p.text.size()}});
+  return json;
 }
 
 } // namespace
@@ -203,12 +240,14 @@ std::string reportJson(const MillJob& job, const std::string& scan_name)
     report["tools"].push_back(json::of(tool));
   report["tolerance"] = {{"total_mm", o.tolerance},
                          {"chord_mm", budget.chord},
+                       {"arcs_mm", budget.arcs},
                          {"control_blend_mm", budget.blend},
                          {"rounding_mm", budget.rounding},
                          {"scallop_mm", o.scallop},
                          {"semi_scallop_mm", o.semi_scallop}};
   report["surface"] = surfaceJson(job);
   report["gaps"] = gapsJson(job);
+  report["program"] = programJson(job);
   report["operations"] = Json::array();
   for (const auto& planned : job.operations())
     report["operations"].push_back(operationJson(planned, job.verification()));
@@ -218,12 +257,26 @@ std::string reportJson(const MillJob& job, const std::string& scan_name)
         {{"name", planned.operation.name}, {"tool", planned.operation.tool.number}});
   report["minutes"] = job.minutes();
   report["verification"] =
-      verificationJson(job.verification(), job.criteria().gougeLimit());
+      verificationJson(job.judgement(), job.criteria().gougeLimit());
   report["warnings"] = warningsOf(job);
   report["seconds"] = Json::object();
   for (const auto& [stage, seconds] : job.seconds())
     report["seconds"][stage] = seconds;
   return report.dump(2) + "\n";
+}
+
+std::vector<std::string> programsOf(std::istream& in)
+{
+  std::vector<std::string> names;
+  const Json report = Json::parse(in, nullptr, false);
+  if (report.is_object() && report.contains("program") &&
+      report["program"].contains("files"))
+    for (const auto& file : report["program"]["files"]) {
+      const auto name = file.value("name", std::string());
+      if (name.rfind("program", 0) == 0 && name.find('/') == std::string::npos)
+        names.push_back(name);
+    }
+  return names;
 }
 
 } // namespace pointmill

@@ -4,11 +4,16 @@
 
 #include <pointmill/mill/mill_job.h>
 
+#include <iosfwd>
 #include <string>
+#include <vector>
 
 namespace pointmill {
 
 /// @brief The job's report as JSON; see doc/report.md for its members.
 std::string reportJson(const MillJob& job, const std::string& scan_name);
+
+/// @brief Names of the program's files by a report; none where it is not one.
+std::vector<std::string> programsOf(std::istream& report);
 
 } // namespace pointmill

@@ -86,8 +86,7 @@ void MillJob::planRoughing()
   const Tool& tool = options_.rough.tool;
   withStrategy(options_.roughing, [&](auto& roughing) {
     roughing.setStepDown(options_.step_down);
-    roughing.setStepOver(options_.step_over > 0 ? options_.step_over
-                                                : kRoughStepOver * tool.endDiameter());
+    roughing.setStepOver(options_.stepOver());
     roughing.setMinFlat(std::isnan(options_.min_flat)
                             ? tool.endDiameter() * tool.endDiameter()
                             : options_.min_flat);

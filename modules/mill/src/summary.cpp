@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the PointMill authors
+#include "print.h"
+
 #include <pointmill/mill/summary.h>
 #include <pointmill/slice/sink.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdarg>
-#include <cstdio>
 #include <filesystem>
 
 namespace pointmill {
@@ -16,20 +16,6 @@ namespace {
 constexpr double kSkin = 0.2;
 /// Less of a level than this is no place [mm2].
 constexpr double kLittle = 1.0;
-
-#if defined(__GNUC__)
-__attribute__((format(printf, 1, 2)))
-#endif
-std::string
-print(const char* format, ...)
-{
-  char text[512];
-  va_list arguments;
-  va_start(arguments, format);
-  std::vsnprintf(text, sizeof text, format, arguments);
-  va_end(arguments);
-  return text;
-}
 
 /// What the cutters rest on, and why.
 std::string surfaceLine(const MillJob& job)
@@ -165,6 +151,7 @@ std::vector<std::string> warningsOf(const MillJob& job)
                           "stock, Z%.2f: --floor or --stock-bottom leave it a base",
                           job.floor()));
   const MillOptions& o = job.options();
+  const Verification& v = job.verification();
   const SurfaceFigures& surface = job.surfaceFigures();
   const double sink =
       sinkBetweenPoints(o.finish.tool, job.scanFigures().spacing.p99, 45);
@@ -194,34 +181,26 @@ std::vector<std::string> warningsOf(const MillJob& job)
       lines.push_back("the " + zone.describe() +
                       " is nowhere near the stock: are its figures right?");
   }
+  const Post& post = o.writer.getPost();
+  if (o.writer.getCorners() == Corners::Control)
+    lines.push_back("how far " + post.control +
+                    " rounds corners is not known here, and not in the figures");
+  else if (post.blend.empty() && post.form != ProgramForm::Grbl)
+    lines.push_back(post.control + " cannot be told how far it may round corners: it "
+                                   "stops at each (--corners control leaves it to it)");
   if (!o.boundary.empty())
     lines.push_back("what is left over counts the whole part, beyond the polygon too");
+  for (const auto& line : findingLines(v, job.judgement().program))
+    lines.push_back(line);
   for (const Tool& tool : job.tools()) {
-    const auto& depths = job.verification().axial_depth;
-    const auto depth = depths.find(tool.number);
-    if (depth != depths.end() && depth->second > 1.5 * tool.endDiameter())
-      lines.push_back(
-          print("%s cuts up to %.1f mm deep at once somewhere (thin walls of "
-                "stock count); its feed is reduced there",
-                tool.describe().c_str(),
-                depth->second));
-    if (depth != depths.end() && tool.flute_length > 0 &&
-        depth->second > tool.flute_length)
-      lines.push_back(
-          print("%s cuts up to %.1f mm deep at once somewhere: its flutes are only "
-                "%.1f mm long",
-                tool.describe().c_str(),
-                depth->second,
-                tool.flute_length));
-    const auto& tips = job.verification().lowest_tip;
-    const auto tip = tips.find(tool.number);
-    if (tip == tips.end())
+    const auto tip = v.lowest_tip.find(tool.number);
+    if (tip == v.lowest_tip.end() || tool.holder_diameter > 0)
       continue;
     const double reach = job.stock().top() - tip->second;
     if (reach > 6 * tool.diameter)
       lines.push_back(
           print("%s must reach %.0f mm below the top of the stock: check its "
-                "stick-out; holder and shank are not checked",
+                "stick-out; holder and shank are not known",
                 tool.describe().c_str(),
                 reach));
   }
@@ -288,7 +267,8 @@ std::string summaryOf(const MillJob& job, const std::string& directory)
   const auto at = [&](const char* name) {
     return (std::filesystem::path(directory) / name).string() + "\n";
   };
-  text += "program    " + at("program.ngc");
+  for (const auto& program : job.programs())
+    text += "program    " + at(program.name.c_str());
   text += "picture    " + at("preview.png");
   text += "report     " + at("report.json");
   return text;

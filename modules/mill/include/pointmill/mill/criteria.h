@@ -39,10 +39,13 @@ struct Criteria {
   double residual_limit = 1e4;
   double floor = 0.0;
   double cell = 0.25;
+  ProgramForm form = ProgramForm::Rs274; ///< how programs for the machine are spelled
+  /// Chords that stand for arcs lie so near to them [mm].
+  double arc_error = 2e-4;
   unsigned threads = 0;
 
   /// @brief Deepest gouge that the text of a program may show.
-  double gougeLimit() const { return tolerance - blend; }
+  double gougeLimit() const { return tolerance - blend - arc_error; }
 
   /// @brief Judges @p program as it was read back.
   Verification judge(const Program& program) const;

@@ -4,6 +4,7 @@
 
 #include <pointmill/common/report.h>
 #include <pointmill/link/link_passes.h>
+#include <pointmill/mill/check.h>
 #include <pointmill/mill/criteria.h>
 #include <pointmill/mill/mill_options.h>
 #include <pointmill/rough/narrow_place.h>
@@ -56,12 +57,19 @@ struct SurfaceFigures {
   Report smoothing;        ///< what PointSmoother did; empty where it was not needed
 };
 
+/// @brief One file of the program that a job makes.
+struct ProgramText {
+  std::string name; ///< "program.ngc"
+  std::string text;
+};
+
 /// @brief The main job: from the file of a scan to a verified NC program with its
 /// picture and report.
 ///
 /// `plan()` does everything in memory and throws VerificationError when the program,
 /// read back from its text, fails; `write()` puts the files into a directory. Nothing
-/// is ever written of a program that did not pass.
+/// is ever written of a program that did not pass, but with MillOptions::force, when
+/// the program's own head says what is wrong; writeRefusal() tells why.
 class MillJob {
 public:
   /// @brief Called when a stage begins, with the share of the work that is done.
@@ -74,11 +82,16 @@ public:
   /// @throws ParameterError, DataError, VerificationError
   void plan(const std::string& scan);
 
-  /// @brief Writes program.ngc, part.pcd, cl.pcd, preview.png, occupancy_*.png and
-  /// report.json. The directory is made if need be; each file is written beside and
-  /// renamed, the program last.
+  /// @brief Writes the program, what it is judged by (part.pcd and clouds beside it),
+  /// cl.pcd, pictures and report.json. The directory is made if need be;
+  /// each file is written beside and renamed, the program last.
   /// @throws DataError, VerificationError where no program has passed
   void write(const std::string& directory);
+
+  /// @brief Writes refused.json and refused.png, which show why plan() refused its
+  /// program. An earlier job's files in the directory stay as they are.
+  /// @throws DataError, VerificationError where no program was refused
+  void writeRefusal(const std::string& directory);
 
   /// @brief Refuses (DataError) a directory that would overwrite the scan or is a file.
   static void checkDirectory(const std::string& scan, const std::string& directory);
@@ -89,8 +102,11 @@ public:
   const std::vector<PlannedOperation>& idleOperations() const { return idle_; }
   /// @brief What the program is judged by, with all that does not depend on it.
   const Criteria& criteria() const { return criteria_; }
-  const Verification& verification() const { return verification_; }
-  const std::string& program() const { return program_; }
+  const Verification& verification() const { return judgement_.verification; }
+  /// @brief The program as it was read back from its text, and judged.
+  const Judgement& judgement() const { return judgement_; }
+  const std::vector<ProgramText>& programs() const { return programs_; }
+  const GCodeWriter::Statistics& programFigures() const { return program_figures_; }
   const pcl::PointCloud<pcl::PointXYZ>& part() const { return *part_; }
   /// @brief Extents of the part's points [mm].
   Eigen::Vector3d partSize() const { return points_->max() - points_->min(); }
@@ -144,9 +160,10 @@ private:
                        PlannedOperation& planned) const;
   void link(PlannedOperation& planned, const CLCloud& passes, double lead_radius);
   double volumeLeft() const;
-  void writeProgram();
+  void writeProgram(const std::vector<std::string>& remarks);
   void setCriteria();
   void verify();
+  void takeTimes();
   void timed(const std::string& stage, double done, const std::function<void()>& work);
 
   MillOptions options_;
@@ -172,9 +189,10 @@ private:
   std::shared_ptr<StockField> standing_, nominal_;
   double floor_ = 0, bridged_area_ = 0;
   std::vector<PlannedOperation> operations_, idle_;
-  std::string program_;
+  std::vector<ProgramText> programs_;
+  GCodeWriter::Statistics program_figures_;
   Criteria criteria_;
-  Verification verification_;
+  Judgement judgement_;
   bool passed_ = false;
   std::vector<std::pair<std::string, double>> seconds_;
 };

@@ -8,6 +8,7 @@
 #include <pointmill/common/operation.h>
 #include <pointmill/common/stock.h>
 #include <pointmill/finish/cl_surface.h>
+#include <pointmill/gcode/gcode_writer.h>
 #include <pointmill/slice/occupancy_map.h>
 
 #include <cstdint>
@@ -100,8 +101,18 @@ struct MillOptions {
   ToolJob semi{Tool::ball(2, 5.0), {12000, 1200, 300, true}, 0.2};
   ToolJob finish{Tool::ball(3, 3.0), {16000, 1000, 300, true}, 0.0};
 
+  // the program
+  /// How programs are written; the job adds what it knows itself.
+  GCodeWriter writer;
+  bool arcs = true;   ///< where the control takes them
+  bool force = false; ///< write a program that fails its verification, and say so in it
+
   double residual_limit = 0.5; ///< refuse where half of the points keep more [mm]
   unsigned threads = 0;
+
+  /// @brief Of the roughing, by default too [mm].
+  double stepDown() const;
+  double stepOver() const;
 
   /// @throws ParameterError
   void validate() const;
@@ -110,6 +121,7 @@ struct MillOptions {
 /// @brief How the tolerance is spent.
 struct ErrorBudget {
   double chord;    ///< chords against the true cutter-location curve
+  double arcs;     ///< arcs and longer lines against these chords
   double blend;    ///< the control's rounding of corners (G64 P)
   double rounding; ///< of the program's decimals and of float32
 

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the PointMill authors
+#include "print.h"
+
+#include <pointmill/common/error.h>
+#include <pointmill/mill/check.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+
+namespace pointmill {
+namespace {
+
+std::string withPlace(const std::string& file, const std::string& what)
+{
+  return file.empty() ? what : file + ": " + what;
+}
+
+} // namespace
+
+std::vector<ProgramStream> openPrograms(const std::vector<std::string>& paths)
+{
+  std::vector<ProgramStream> files;
+  for (const auto& path : paths) {
+    std::error_code ignored; // what cannot be asked cannot be opened either
+    auto in = std::make_unique<std::ifstream>(path, std::ios::binary);
+    if (!*in || std::filesystem::is_directory(path, ignored))
+      throw DataError(path + ": cannot be read");
+    files.push_back({std::filesystem::path(path).filename().string(), std::move(in)});
+  }
+  return files;
+}
+
+Judgement judge(std::vector<ProgramStream> files, const Criteria& criteria, int mounted)
+{
+  GCodeReader reader;
+  reader.setForm(criteria.form);
+  reader.setMountedTool(mounted);
+  reader.setChordError(criteria.arc_error);
+  Judgement judgement;
+  for (auto& file : files) {
+    try {
+      Program program = reader.read(*file.text);
+      if (files.size() == 1)
+        judgement.program = std::move(program);
+      else
+        judgement.program.append(std::move(program), file.name);
+    }
+    catch (const DataError& e) {
+      throw DataError(withPlace(file.name, e.what()));
+    }
+  }
+  judgement.verification = criteria.judge(judgement.program);
+  ProgramTimeOptions options;
+  if (criteria.form == ProgramForm::Grbl)
+    options.corners = CornerMode::Machine;
+  judgement.time = programTime(judgement.program, criteria.machine, options);
+  return judgement;
+}
+
+std::vector<std::string> findingLines(const Verification& verification,
+                                      const Program& program)
+{
+  std::vector<std::string> lines;
+  for (const auto& f : verification.findings) {
+    std::string line = f.severity == Severity::Error ? "error " : "warning ";
+    line += f.code + ": " + f.text;
+    std::string place = f.line > 0 ? program.where(f.line) : "";
+    if (f.place)
+      place += (place.empty() ? "" : ", ") +
+               print("X%.3f Y%.3f Z%.3f", f.place->x(), f.place->y(), f.place->z());
+    lines.push_back(place.empty() ? line : line + " (" + place + ")");
+  }
+  return lines;
+}
+
+std::string summaryOf(const Judgement& judgement, const Criteria& criteria)
+{
+  const Verification& v = judgement.verification;
+  std::string text = print("%-24s %4s %11s %9s %8s %8s\n",
+                           "section",
+                           "tool",
+                           "feed mm",
+                           "cut cm3",
+                           "axial",
+                           "min");
+  for (std::size_t i = 0; i < v.sections.size(); ++i) {
+    const SectionFigures& s = v.sections[i];
+    const bool timed = i < judgement.time.sections.size();
+    text += print("%-24s %4d %11.0f %9.2f %8.2f %8.1f\n",
+                  s.name.empty() ? print("line %zu", s.line).c_str() : s.name.c_str(),
+                  s.tool,
+                  s.feed_length,
+                  s.volume / 1000,
+                  s.axial_depth,
+                  timed ? judgement.time.sections[i].total() / 60 : 0.0);
+  }
+  text += print("gouge      %.4f mm at most", v.gouge);
+  if (criteria.model)
+    text += print(" of the points without noise, %.4f mm as scanned", v.raw_gouge);
+  text += print("; %.4f mm would pass\n", criteria.gougeLimit());
+  text += print("left over  p50 %.4f p90 %.4f p99 %.4f max %.3f mm more than a perfect "
+                "pass of the last tool leaves; %.1f %% of the points were never cut\n",
+                v.residual.p50,
+                v.residual.p90,
+                v.residual.p99,
+                v.residual.max,
+                100 * v.untouchedShare());
+  text += print("rapids     %zu in stock\n", v.rapids_in_stock);
+  const double minutes = std::ceil(judgement.time.total.total() / 60);
+  text += print("time       %.0f h %02.0f min\n",
+                std::floor(minutes / 60),
+                std::fmod(minutes, 60.0));
+  for (const auto& line : findingLines(v, judgement.program))
+    text += line + "\n";
+  return text + (v.good() ? "passed\n" : "refused\n");
+}
+
+void writeFindings(const std::string& path,
+                   const std::string& title,
+                   const Judgement& judgement,
+                   const Criteria& criteria)
+{
+  const Verification& v = judgement.verification;
+  pcl::PointCloud<pcl::PointXYZ> part;
+  part.reserve(criteria.part->size());
+  for (std::size_t i = 0; i < criteria.part->size(); ++i) {
+    const Eigen::Vector3f p = criteria.part->point(i).cast<float>();
+    part.push_back({p.x(), p.y(), p.z()});
+  }
+  FindingScene scene;
+  scene.title = title;
+  scene.part = &part;
+  scene.milled = &v.milled;
+  scene.stock = criteria.stock;
+  scene.tools = criteria.tools;
+  for (const auto& f : v.findings) {
+    FindingMark mark;
+    mark.code = f.code;
+    mark.text = f.text;
+    mark.warning = f.severity == Severity::Warning;
+    mark.line = f.line;
+    mark.tool = f.tool;
+    mark.worst = f.worst;
+    mark.place = f.place;
+    const auto& moves = judgement.program.moves;
+    const auto first = std::lower_bound(
+        moves.begin(), moves.end(), f.line, [](const ProgramMove& m, std::size_t line) {
+          return m.line < line;
+        });
+    for (auto m = first; f.line > 0 && m != moves.end() && m->line == f.line; ++m) {
+      if (mark.move.empty())
+        mark.move.push_back(m->from);
+      mark.move.push_back(m->to);
+    }
+    scene.findings.push_back(std::move(mark));
+  }
+  writeFindings(path, scene);
+}
+
+} // namespace pointmill
