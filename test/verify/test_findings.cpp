@@ -156,18 +156,18 @@ TEST_F(Findings, AnUnknownToolIsOne)
 
 TEST_F(Findings, AProgramWithoutEndIsOne)
 {
-  EXPECT_NE(find(verifier.verify(rows(-2).end("")), "no_end"), nullptr);
-  EXPECT_TRUE(verifier.verify(rows(-2).end("M30\n")).good());
+  EXPECT_EQ(codes(verifier.verify(rows(-2).end("G0 Z10.\n"))), "not_ended ");
+  EXPECT_TRUE(verifier.verify(rows(-2).end("G0 Z10.\nM30\n")).good());
 }
 
 TEST_F(Findings, AProgramWithoutFeedMovesCutsNothing)
 {
   Text text;
   text.over(5, 5).over(20, 10);
-  EXPECT_NE(find(verifier.verify(text.end()), "cuts_nothing"), nullptr);
+  EXPECT_EQ(codes(verifier.verify(text.end())), "empty ");
   Program nothing;
   nothing.ended = true;
-  EXPECT_NE(find(verifier.verify(nothing), "cuts_nothing"), nullptr);
+  EXPECT_EQ(codes(verifier.verify(nothing)), "empty ");
 }
 
 TEST_F(Findings, AProgramThatLeavesTooMuchIsOne)

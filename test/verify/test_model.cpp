@@ -76,10 +76,9 @@ TEST_F(Model, PeaksBeyondTheAllowanceAreAFindingOfTheirOwn)
   verifier.setModel(indexOf(*smooth));
   verifier.setNoiseAllowance(2 * kNoise - 0.02);
   const auto result = verifier.verify(rows(-2));
-  const auto* gouge = find(result, "gouge");
+  const auto* gouge = find(result, "scan_gouge");
   ASSERT_NE(gouge, nullptr);
   EXPECT_EQ(result.findings.size(), 1u) << codes(result);
-  EXPECT_NE(gouge->text.find("measured"), std::string::npos) << gouge->text;
   EXPECT_NEAR(gouge->worst, peak, 1e-5);
   std::size_t high = 0;
   for (const auto& p : *measured)
@@ -97,7 +96,6 @@ TEST_F(Model, ACutIntoTheSurfaceIsOneWhateverTheAllowance)
   const auto* gouge = find(result, "gouge");
   ASSERT_NE(gouge, nullptr);
   EXPECT_EQ(result.findings.size(), 1u) << codes(result);
-  EXPECT_NE(gouge->text.find("smoothed"), std::string::npos) << gouge->text;
   EXPECT_NEAR(gouge->worst, 0.03, 1e-5);
   EXPECT_EQ(result.gouged_points, smooth->size());
 }

@@ -54,8 +54,7 @@ void StockField::lowerTo(const std::function<double(double, double)>& height)
       line[column] = std::min(line[column], stored);
     }
     for (int run = 0; run < runs_; ++run)
-      top_[static_cast<std::size_t>(row) * runs_ + run] = *std::max_element(
-          line + run * kRun, line + std::min(columns_, (run + 1) * kRun));
+      updateTop(row, run);
   }
 }
 
@@ -79,6 +78,57 @@ StockField::Window StockField::under(double radius,
           std::min(rows_ - 1, index(high.y() + radius, stock_.min.y()) + 1)};
 }
 
+namespace {
+
+/// The box of a move in XY, seen from cells: how far these are at least from the axis.
+class MoveBox {
+public:
+  MoveBox(const Eigen::Vector3d& a, const Eigen::Vector3d& b)
+      : left_(std::min(a.x(), b.x())), right_(std::max(a.x(), b.x())),
+        near_(std::min(a.y(), b.y())), far_(std::max(a.y(), b.y()))
+  {
+  }
+  double away2(double y) const { return square(std::max({0.0, near_ - y, y - far_})); }
+  /// Of all places with x0 <= x <= x1, along X only.
+  double aside2(double x0, double x1) const
+  {
+    return square(std::max({0.0, left_ - x1, x0 - right_}));
+  }
+
+private:
+  static double square(double v) { return v * v; }
+  double left_, right_, near_, far_;
+};
+
+} // namespace
+
+/// Calls body(row, run, first column, last column) for all runs in which a move can
+/// meet stock. No cell is met lower than `lowest`, the lowest place of the tip, and
+/// floor(squared distance from the axis) above that.
+template <typename Box, typename Floor, typename Body>
+void StockField::forRuns(const Window& window,
+                         const Box& box,
+                         double lowest,
+                         const Floor& floor,
+                         const Body& body) const
+{
+  const int run0 = window.c0 / kRun, run1 = window.c1 / kRun;
+  for (int row = window.r0; row <= window.r1 && window.c0 <= window.c1; ++row) {
+    const float* tops = &top_[static_cast<std::size_t>(row) * runs_];
+    const double away2 = box.away2(y(row));
+    // Most rows of a finishing move are low already, all along.
+    if (*std::max_element(tops + run0, tops + run1 + 1) <= lowest + floor(away2))
+      continue;
+    for (int run = run0; run <= run1; ++run) {
+      if (tops[run] <= lowest)
+        continue;
+      const int first = run * kRun, last = std::min(columns_, first + kRun) - 1;
+      if (tops[run] > lowest + floor(away2 + box.aside2(x(first), x(last))))
+        body(row, run, std::max(window.c0, first), std::min(window.c1, last));
+    }
+  }
+}
+
 Cut StockField::cut(const Tool& tool,
                     const Eigen::Vector3d& a,
                     const Eigen::Vector3d& b,
@@ -88,9 +138,9 @@ Cut StockField::cut(const Tool& tool,
 {
   const CutterProfile cutter = tool.profile();
   const double r = tool.radius();
-  const Window window = under(r, a.cwiseMin(b), a.cwiseMax(b));
-  const int c0 = window.c0, c1 = window.c1;
-  const int r0 = std::max(row0, window.r0), r1 = std::min(row1 - 1, window.r1);
+  Window window = under(r, a.cwiseMin(b), a.cwiseMax(b));
+  window.r0 = std::max(row0, window.r0);
+  window.r1 = std::min(row1 - 1, window.r1);
   const double guard = bound_ == Bound::Upper ? cell_ * std::sqrt(0.5) : 0.0;
   const double lowest = std::min(a.z(), b.z());
   const double dx = b.x() - a.x(), dy = b.y() - a.y(), len2 = dx * dx + dy * dy;
@@ -114,15 +164,10 @@ Cut StockField::cut(const Tool& tool,
     begun += all > Cut::kSwarf;
     taken.axial = std::max(taken.axial, all);
   };
-  // No lower than this over y from x0 to x1: the tip is nowhere lower, and the axis no
-  // nearer than the move's box is.
-  const double left = std::min(a.x(), b.x()), right = std::max(a.x(), b.x());
-  const double near = std::min(a.y(), b.y()), far = std::max(a.y(), b.y());
-  const auto lowestIn = [&](double x0, double x1, double cy) {
-    const double ox = std::max({0.0, left - x1, x0 - right});
-    const double oy = std::max({0.0, near - cy, cy - far});
-    const double away = std::sqrt(ox * ox + oy * oy) - kRounding;
-    return lowest + cutter.height(std::max(0.0, away)) - kRounding;
+  const MoveBox box(a, b);
+  const auto floor = [&](double away2) {
+    const double away = std::sqrt(away2) - kRounding;
+    return cutter.height(std::max(0.0, away)) - kRounding;
   };
   const auto cutCell = [&](float& cell, int column, int row, double cx, double cy) {
     if (cell <= lowest)
@@ -140,7 +185,7 @@ Cut StockField::cut(const Tool& tool,
         return;
       h = a.z() + t * (b.z() - a.z()) + cutter.height(d);
     }
-    else if (lowestIn(cx, cx, cy) >= cell)
+    else if (lowest + floor(box.away2(cy) + box.aside2(cx, cx)) >= cell)
       return;
     else
       h = sweptHeight(cutter, a, b, cx, cy);
@@ -155,22 +200,98 @@ Cut StockField::cut(const Tool& tool,
       cell = stored;
     }
   };
-  for (int row = r0; row <= r1; ++row) {
+  forRuns(window, box, lowest, floor, [&](int row, int run, int first, int last) {
     float* line = &height_[static_cast<std::size_t>(row) * columns_];
-    float* tops = &top_[static_cast<std::size_t>(row) * runs_];
-    const double cy = y(row);
-    for (int run = c0 / kRun; run * kRun <= c1; ++run) {
-      const int first = run * kRun, last = std::min(columns_, first + kRun) - 1;
-      if (tops[run] <= lowest || tops[run] <= lowestIn(x(first), x(last), cy))
-        continue;
-      for (int column = std::max(c0, first); column <= std::min(c1, last); ++column)
-        cutCell(line[column], column, row, x(column), cy);
-      tops[run] = *std::max_element(line + first, line + last + 1);
-    }
-  }
+    for (int column = first; column <= last; ++column)
+      cutCell(line[column], column, row, x(column), y(row));
+    updateTop(row, run);
+  });
   taken.area = static_cast<double>(begun) * cell_ * cell_;
   taken.axial = std::max(taken.axial, taken.depth);
   return taken;
+}
+
+Cut StockField::cut(const SweptCutter& cutter,
+                    const Eigen::Vector3d& a,
+                    const Eigen::Vector3d& b,
+                    int row0,
+                    int row1,
+                    std::vector<LoweredCell>* lowered)
+{
+  if (bound_ == Bound::Upper)
+    throw ParameterError("StockField: quick cuts are for nominal heights");
+  Window window = under(cutter.radius(), a.cwiseMin(b), a.cwiseMax(b));
+  window.r0 = std::max(row0, window.r0);
+  window.r1 = std::min(row1 - 1, window.r1);
+  const double lowest = std::min(a.z(), b.z());
+  const MoveBox box(a, b);
+  const auto floor = [&](double away2) { return cutter.floor(away2) - kRounding; };
+  Cut taken;
+  double sum = 0;
+  forRuns(window, box, lowest, floor, [&](int row, int run, int first, int last) {
+    float* line = &height_[static_cast<std::size_t>(row) * columns_];
+    const double cy = y(row), away2 = box.away2(cy);
+    bool changed = false;
+    for (int column = first; column <= last; ++column) {
+      float& cell = line[column];
+      const double cx = x(column);
+      if (cell <= lowest + floor(away2 + box.aside2(cx, cx)))
+        continue;
+      const double h = sweptHeight(cutter.profile(), a, b, cx, cy);
+      if (!(h < cell))
+        continue;
+      const double depth = cell - h;
+      taken.depth = std::max(taken.depth, depth);
+      sum += depth;
+      if (lowered)
+        lowered->push_back({column, row, depth});
+      cell = static_cast<float>(h);
+      changed = true;
+    }
+    if (changed)
+      updateTop(row, run);
+  });
+  taken.volume = sum * cell_ * cell_;
+  return taken;
+}
+
+double StockField::depthAlong(const SweptCutter& cutter,
+                              const Eigen::Vector3d& a,
+                              const Eigen::Vector3d& b,
+                              int row0,
+                              int row1) const
+{
+  Window window = under(cutter.radius(), a.cwiseMin(b), a.cwiseMax(b));
+  window.r0 = std::max(row0, window.r0);
+  window.r1 = std::min(row1 - 1, window.r1);
+  double deepest = 0;
+  const auto floor = [&](double away2) { return cutter.floor(away2) - kRounding; };
+  forRuns(window,
+          MoveBox(a, b),
+          std::min(a.z(), b.z()),
+          floor,
+          [&](int row, int, int first, int last) {
+            for (int column = first; column <= last; ++column)
+              deepest =
+                  std::max(deepest,
+                           height(column, row) -
+                               sweptHeight(cutter.profile(), a, b, x(column), y(row)));
+          });
+  return deepest;
+}
+
+double StockField::highestIn(int row0, int row1) const
+{
+  const auto begin = top_.begin() + static_cast<std::ptrdiff_t>(row0) * runs_;
+  return *std::max_element(begin,
+                           begin + static_cast<std::ptrdiff_t>(row1 - row0) * runs_);
+}
+
+void StockField::updateTop(int row, int run)
+{
+  const float* line = &height_[static_cast<std::size_t>(row) * columns_];
+  top_[static_cast<std::size_t>(row) * runs_ + run] =
+      *std::max_element(line + run * kRun, line + std::min(columns_, (run + 1) * kRun));
 }
 
 Cut StockField::probe(const Tool& tool, const std::vector<Eigen::Vector3d>& way) const

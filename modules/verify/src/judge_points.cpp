@@ -28,6 +28,7 @@ Quantiles quantiles(std::vector<float>& values)
     return double(values[k]);
   };
   q.p50 = at(0.50);
+  q.p90 = at(0.90);
   q.p95 = at(0.95);
   q.p99 = at(0.99);
   q.max = *std::max_element(values.begin(), values.end());
@@ -68,6 +69,26 @@ Quantiles deviations(const Heights& heights, double reach)
   return quantiles(off);
 }
 
+pcl::PointCloud<pcl::PointXYZI> deviationCloud(const Heights& heights)
+{
+  pcl::PointCloud<pcl::PointXYZI> cloud;
+  cloud.reserve(heights.points.size());
+  for (std::size_t i = 0; i < heights.points.size(); ++i) {
+    const Eigen::Vector3f p = heights.points.point(i).cast<float>();
+    pcl::PointXYZI point(p.x(), p.y(), p.z(), std::numeric_limits<float>::quiet_NaN());
+    if (heights.touched(i))
+      point.intensity = static_cast<float>(heights.left[i] - heights.z(i));
+    cloud.push_back(point);
+  }
+  return cloud;
+}
+
+void note(const char* code, const Gouges& gouges, Findings& findings)
+{
+  if (gouges.count > 0)
+    findings.add(code, gouges.depth, gouges.at, gouges.line, gouges.tool, gouges.count);
+}
+
 /// What is left over the points.
 void judgeRest(const Heights& heights, Verification& result)
 {
@@ -95,16 +116,31 @@ void judgePoints(const PointIndex& surface,
                  const PointLimits& limits,
                  const KeepOut& keep_out,
                  unsigned threads,
-                 Verification& result)
+                 Verification& result,
+                 Findings& findings)
 {
   Heights heights{surface, {}, {}};
   const Gouges gouges =
       sweepPoints(surface, moves, limits.tolerance, threads, heights.left);
+  note("gouge", gouges, findings);
   result.points = surface.size();
   result.gouge = gouges.depth;
   result.gouge_at = gouges.at;
   result.gouge_line = gouges.line;
   result.gouged_points = gouges.count;
+  if (!raw)
+    result.deviations = deviationCloud(heights);
+  Heights measured{raw ? *raw : surface, {}, {}};
+  if (raw) {
+    const Gouges deeper = sweepPoints(
+        *raw, moves, limits.tolerance + limits.noise, threads, measured.left);
+    note("scan_gouge", deeper, findings);
+    result.raw_gouge = deeper.depth;
+    result.raw_gouge_at = deeper.at;
+    result.raw_gouge_line = deeper.line;
+    result.raw_gouged_points = deeper.count;
+    result.deviations = deviationCloud(measured);
+  }
   const auto last = std::find_if(
       moves.rbegin(), moves.rend(), [](const SweptMove& m) { return !m.rapid; });
   if (last == moves.rend())
@@ -121,13 +157,6 @@ void judgePoints(const PointIndex& surface,
   if (!raw)
     return;
 
-  Heights measured{*raw, {}, {}};
-  const Gouges deeper =
-      sweepPoints(*raw, moves, limits.tolerance + limits.noise, threads, measured.left);
-  result.raw_gouge = deeper.depth;
-  result.raw_gouge_at = deeper.at;
-  result.raw_gouge_line = deeper.line;
-  result.raw_gouged_points = deeper.count;
   // Noise puts points below the surface that the tool reaches all the same.
   const double reach = kReach + limits.noise;
   measured.perfect = perfect.heightsOver(*raw, reach);

@@ -2,6 +2,8 @@
 // Copyright (c) 2026, the PointMill authors
 #pragma once
 
+#include "findings.h"
+
 #include <pointmill/surface/stock_field.h>
 #include <pointmill/verify/program_verifier.h>
 
@@ -16,6 +18,7 @@ struct SweptMove {
   const Tool* tool;
   std::size_t line;
   bool rapid;
+  std::uint32_t section = 0; ///< of Verification::sections
 
   /// Whether the tip may leave the straight line: the axes of a rapid need not arrive
   /// at once. It then stays in the box of the move's ends (a dog-leg).
@@ -31,8 +34,14 @@ struct SweptMove {
 /// order.
 class Bands {
 public:
-  /// @param y0 lower border of band 0; @param height of a band [mm]
-  Bands(const std::vector<SweptMove>& moves, double y0, double height, int count);
+  /// @param y0 lower border of band 0; @param height of a band [mm]; @param reach how
+  /// far from its axis the tool matters on a move [mm]
+  Bands(const std::vector<SweptMove>& moves,
+        double y0,
+        double height,
+        int count,
+        const std::function<double(const SweptMove&)>& reach = radiusOf);
+  static double radiusOf(const SweptMove& m) { return m.tool->radius(); }
 
   int count() const { return static_cast<int>(bands_.size()); }
   const std::vector<std::uint32_t>& operator[](std::size_t band) const
@@ -44,20 +53,32 @@ private:
   std::vector<std::vector<std::uint32_t>> bands_;
 };
 
-/// @brief Checks what can be said of every move alone, counts and measures, and returns
-/// those that can be swept.
-/// @param safe what moves from or to unknown places must stay above [mm]
+/// @brief Where the sections of a program begin, in the order of the moves; the first
+/// with the first move. Each has one tool that cuts: one that the program does not part
+/// by tools is parted here.
+std::vector<ProgramSection> sectionsOf(const Program& program);
+
+/// @brief What the moves are checked against one by one.
+struct MoveLimits {
+  const Stock& stock;
+  const Machine& machine;
+  double safe; ///< what moves from or to unknown places must stay above [mm]
+};
+
+/// @brief Checks what can be said of every move alone and of each in a row, counts and
+/// measures, and returns those that can be swept.
 std::vector<SweptMove> collectMoves(const Program& program,
                                     const std::vector<Tool>& tools,
-                                    const Stock& stock,
-                                    double safe,
-                                    Verification& result);
+                                    const MoveLimits& limits,
+                                    Verification& result,
+                                    Findings& findings);
 
 /// @brief How deep the points of an index get inside the tools.
 struct Gouges {
   double depth = 0;
   Eigen::Vector3d at = Eigen::Vector3d::Zero();
   std::size_t line = 0;
+  int tool = 0;
   std::size_t count = 0; ///< of the points deeper than the tolerance
 };
 
@@ -86,21 +107,48 @@ void judgePoints(const PointIndex& surface,
                  const PointLimits& limits,
                  const KeepOut& keep_out,
                  unsigned threads,
-                 Verification& result);
+                 Verification& result,
+                 Findings& findings);
+
+/// @brief Rapids that may bend into points of the part; those that run straight into
+/// them are gouges.
+void judgeBends(const PointIndex& part,
+                const std::vector<SweptMove>& moves,
+                double tolerance,
+                unsigned threads,
+                Findings& findings);
 
 /// @brief How deep the moves get into zones where no tool may be.
 void judgeKeepOut(const KeepOut& keep_out,
                   const std::vector<SweptMove>& moves,
                   double tolerance,
                   unsigned threads,
-                  Verification& result);
+                  Verification& result,
+                  Findings& findings);
 
-/// @brief Cuts the stock in the program's order; rapids that cut are findings.
+/// @brief What the tools may do in the stock.
+struct StockLimits {
+  double tolerance;  ///< rapids, shanks and holders may touch so deep [mm]
+  double ramp_slope; ///< steeper is a plunge: descent over way in XY
+  const std::map<int, double>& axial; ///< thickest layer, by tool [mm]
+};
+
+/// @brief Cuts the stock in the program's order; what a tool must not do in it are
+/// findings.
 /// @param field the stock, with nominal heights
 void judgeStock(StockField field,
                 const std::vector<SweptMove>& moves,
-                double tolerance,
+                const StockLimits& limits,
                 unsigned threads,
-                Verification& result);
+                Verification& result,
+                Findings& findings);
+
+/// @brief Shanks and holders against the points of the part; against the stock see
+/// judgeStock().
+void judgeBodies(const PointIndex& part,
+                 const std::vector<SweptMove>& moves,
+                 double tolerance,
+                 unsigned threads,
+                 Findings& findings);
 
 } // namespace pointmill

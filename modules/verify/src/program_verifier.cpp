@@ -6,21 +6,10 @@
 #include <pointmill/common/parameters.h>
 #include <pointmill/surface/raw_stock.h>
 
-#include <cstdio>
+#include <cmath>
 #include <set>
 
 namespace pointmill {
-namespace {
-
-std::string millimetres(double length)
-{
-  char text[32];
-  std::snprintf(text, sizeof text, "%.3f mm", length);
-  return text;
-}
-
-} // namespace
-
 Verification ProgramVerifier::verify(const Program& program) const
 {
   validateParameters(*this, "ProgramVerifier");
@@ -34,89 +23,47 @@ Verification ProgramVerifier::verify(const Program& program) const
                            std::to_string(tool.number));
   }
 
+  machine_.validate();
+
   Verification result;
+  Findings findings;
   const double safe = std::max(stock_.top(), keep_out_.highestTop());
-  const auto moves = collectMoves(program, tools_, stock_, safe, result);
+  const auto moves =
+      collectMoves(program, tools_, {stock_, machine_, safe}, result, findings);
   judgePoints(model_ ? *model_ : *part_,
               model_ ? part_.get() : nullptr,
               moves,
               {tolerance_, noise_allowance_, floor_},
               keep_out_,
               threads_,
-              result);
+              result,
+              findings);
+  const PointIndex& part = model_ ? *model_ : *part_;
+  judgeBends(part, moves, tolerance_, threads_, findings);
+  judgeBodies(part, moves, tolerance_, threads_, findings);
   if (protected_) {
     std::vector<float> height;
     const Gouges gouges = sweepPoints(*protected_, moves, tolerance_, threads_, height);
     if (gouges.count > 0)
-      result.findings.push_back({"gap",
-                                 "the bridge over a gap of the scan is cut into, " +
-                                     millimetres(gouges.depth) + " deep",
-                                 gouges.depth,
-                                 gouges.at,
-                                 gouges.line});
+      findings.add(
+          "gap", gouges.depth, gouges.at, gouges.line, gouges.tool, gouges.count);
   }
   const double blend = program.blend < 0 ? std::numeric_limits<double>::infinity()
                                          : program.blend + program.merge;
   if (blend > blend_limit_)
-    result.findings.push_back({"blend",
-                               "the control may round corners by more than " +
-                                   millimetres(blend_limit_) + " (G64)",
-                               blend,
-                               {0, 0, 0},
-                               0});
-  judgeKeepOut(keep_out_, moves, tolerance_, threads_, result);
+    findings.add("blend", blend, Eigen::Vector3d::Zero(), 0, 0);
+  judgeKeepOut(keep_out_, moves, tolerance_, threads_, result, findings);
   judgeStock(raw_
                  ? stockOf(stock_, cell_, StockField::Bound::Nominal, *raw_, raw_reach_)
                  : StockField(stock_, cell_, StockField::Bound::Nominal),
              moves,
-             tolerance_,
+             {tolerance_, std::tan(ramp_limit_ * M_PI / 180), axial_limits_},
              threads_,
-             result);
-
-  if (result.gouged_points > 0)
-    result.findings.push_back(
-        {"gouge",
-         std::to_string(result.gouged_points) +
-             (model_ ? " points of the smoothed surface" : " points") +
-             " are gouged, the deepest by " + millimetres(result.gouge),
-         result.gouge,
-         result.gouge_at,
-         result.gouge_line});
-  if (result.raw_gouged_points > 0)
-    result.findings.push_back({"gouge",
-                               std::to_string(result.raw_gouged_points) +
-                                   " measured points are gouged beyond their noise, "
-                                   "the deepest by " +
-                                   millimetres(result.raw_gouge),
-                               result.raw_gouge,
-                               result.raw_gouge_at,
-                               result.raw_gouge_line});
-  if (result.keep_out_moves > 0)
-    result.findings.push_back(
-        {"keep_out",
-         std::to_string(result.keep_out_moves) +
-             " moves get into keep-out zones or their margin of " +
-             millimetres(keep_out_.margin()) + ", the deepest by " +
-             millimetres(result.keep_out_depth),
-         result.keep_out_depth,
-         result.keep_out_at,
-         result.keep_out_line});
-  if (result.rapids_in_stock > 0)
-    result.findings.push_back({"rapid_in_stock",
-                               std::to_string(result.rapids_in_stock) +
-                                   " rapids run into stock, the deepest by " +
-                                   millimetres(result.rapid_depth),
-                               result.rapid_depth,
-                               {0, 0, 0},
-                               result.rapid_line});
+             result,
+             findings);
   if (result.residual.p50 > residual_limit_)
-    result.findings.push_back({"residual",
-                               "half of the points keep more than " +
-                                   millimetres(result.residual.p50) +
-                                   " of material over what the last tool could leave",
-                               result.residual.p50,
-                               {0, 0, 0},
-                               0});
+    findings.add("residual", result.residual.p50, Eigen::Vector3d::Zero(), 0, 0);
+  result.findings = findings.list();
   return result;
 }
 

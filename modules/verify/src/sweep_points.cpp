@@ -193,6 +193,7 @@ Gouges sweepPoints(const PointIndex& part,
     gouges = {deepest.depth,
               part.point(deepest.point),
               moves[deepest.move].line,
+              moves[deepest.move].tool->number,
               gouges.count};
   return gouges;
 }

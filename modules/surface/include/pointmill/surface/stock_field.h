@@ -5,6 +5,7 @@
 #include <pointmill/common/point_types.h>
 #include <pointmill/common/stock.h>
 #include <pointmill/common/tool.h>
+#include <pointmill/surface/swept_cutter.h>
 
 #include <Eigen/Core>
 
@@ -65,6 +66,26 @@ public:
     return cut(tool, a, b, 0, rows_);
   }
 
+  /// @brief The same without area and axial depth, for those who make many moves with
+  /// one cutter.
+  Cut cut(const SweptCutter& cutter,
+          const Eigen::Vector3d& a,
+          const Eigen::Vector3d& b,
+          int row0,
+          int row1,
+          std::vector<LoweredCell>* lowered = nullptr);
+
+  /// @brief How deep [mm] @p cutter would get into the stock on a straight move from
+  /// @p a to @p b, in the cells of rows [@p row0, @p row1), by their centres. Nothing
+  /// is cut.
+  double depthAlong(const SweptCutter& cutter,
+                    const Eigen::Vector3d& a,
+                    const Eigen::Vector3d& b,
+                    int row0,
+                    int row1) const;
+  /// @brief The highest of the cells of rows [@p row0, @p row1).
+  double highestIn(int row0, int row1) const;
+
   /// @brief Depth and volume that straight moves from each place of @p way to the next
   /// would take, by the cells' centres; the stock stays as it is.
   Cut probe(const Tool& tool, const std::vector<Eigen::Vector3d>& way) const;
@@ -105,6 +126,13 @@ private:
   struct Window {
     int c0, c1, r0, r1;
   };
+  template <typename Box, typename Floor, typename Body>
+  void forRuns(const Window& window,
+               const Box& box,
+               double lowest,
+               const Floor& floor,
+               const Body& body) const;
+  void updateTop(int row, int run);
   Window under(double radius, const Eigen::Vector3d& a, const Eigen::Vector3d& b) const;
 
   Stock stock_;

@@ -3,14 +3,19 @@
 #pragma once
 
 #include <pointmill/common/keep_out.h>
+#include <pointmill/common/machine.h>
 #include <pointmill/common/parameters.h>
 #include <pointmill/common/point_types.h>
 #include <pointmill/common/stock.h>
 #include <pointmill/common/tool.h>
 #include <pointmill/gcode/gcode_reader.h>
 #include <pointmill/surface/point_index.h>
+#include <pointmill/verify/finding.h>
 
 #include <Eigen/Core>
+
+#include <pcl/point_cloud.h>
+#include <pcl/point_types.h>
 
 #include <limits>
 #include <map>
@@ -20,18 +25,23 @@
 
 namespace pointmill {
 
-/// @brief Something about a program that must not be.
-struct Finding {
-  std::string code; ///< "gouge", "rapid_in_stock", ...
-  std::string text; ///< one line for people
-  double worst = 0; ///< mm, where it is a length
-  Eigen::Vector3d place = Eigen::Vector3d::Zero();
-  std::size_t line = 0; ///< of the program, 0: none
+/// @brief p50 .. p99 and the largest of some lengths [mm].
+struct Quantiles {
+  double p50 = 0, p90 = 0, p95 = 0, p99 = 0, max = 0;
 };
 
-/// @brief p50, p95, p99 and the largest of some lengths [mm].
-struct Quantiles {
-  double p50 = 0, p95 = 0, p99 = 0, max = 0;
+/// @brief What a section of the program does: an operation, or all by one tool where
+/// the program does not say what its operations are.
+struct SectionFigures {
+  std::string name;     ///< as in the program; empty where it has none
+  int tool = 0;         ///< of its first feed move
+  std::size_t line = 0; ///< where it begins
+  std::size_t feed_moves = 0, rapid_moves = 0;
+  double feed_length = 0, rapid_length = 0; ///< of moves known at both ends [mm]
+  double volume = 0;                        ///< taken off the stock [mm3]
+  double axial_depth =
+      0; ///< thickest layer at once, see Verification::axial_depth [mm]
+  std::size_t axial_line = 0; ///< where that is
 };
 
 /// @brief What a program does to the part and the stock.
@@ -62,9 +72,19 @@ struct Verification {
   /// stays uncut because of them, and is in no residual.
   std::size_t kept_out_points = 0;
   std::size_t untouched_points = 0; ///< no tool passes over them
+  /// @brief Share of the points that no tool passes over.
+  double untouchedShare() const
+  {
+    return points > 0 ? double(untouched_points) / double(points) : 0.0;
+  }
+  /// @brief The measured points, in the order of the part's index, each with what the
+  /// program leaves over it: cut surface minus point [mm], negative where it cuts into
+  /// it, NaN where no tool passes.
+  pcl::PointCloud<pcl::PointXYZI> deviations;
 
   std::size_t rapids_in_stock = 0;
-  double rapid_depth = 0; ///< deepest of them [mm]
+  double rapid_depth = 0;                             ///< deepest of them [mm]
+  Eigen::Vector3d rapid_at = Eigen::Vector3d::Zero(); ///< end of that move
   std::size_t rapid_line = 0;
 
   /// How deep a tool gets into keep-out zones and the margin round them [mm]
@@ -81,10 +101,16 @@ struct Verification {
   std::size_t feed_moves = 0, rapid_moves = 0;
   double feed_length = 0, rapid_length = 0; ///< mm
 
-  CellCloud milled; ///< the stock after the program, an organised height field
-  std::vector<Finding> findings;
+  std::vector<SectionFigures> sections; ///< in the program's order
 
-  bool good() const { return findings.empty(); }
+  CellCloud milled; ///< the stock after the program, an organised height field
+  std::vector<Finding> findings; ///< errors first, else as findingCodes()
+
+  /// @brief Whether there is no error. Warnings do not refuse a program.
+  bool good() const
+  {
+    return findings.empty() || findings.front().severity != Severity::Error;
+  }
 };
 
 /// @brief Judges a program as it was read back from its text: its moves are swept over
@@ -125,13 +151,22 @@ public:
     raw_ = std::move(raw);
     raw_reach_ = reach;
   }
+  /// @brief What may be in the spindle. Flutes, shank and holder are looked at where
+  /// their lengths are given.
   void setTools(std::vector<Tool> tools) { tools_ = std::move(tools); }
+  /// @brief Warn where the tool of this number takes a thicker layer at once [mm].
+  void setAxialLimit(int tool, double depth) { axial_limits_[tool] = depth; }
+  /// @brief What the machine can do; what is not known of it is not checked.
+  void setMachine(const Machine& machine) { machine_ = machine; }
   /// @brief Points that get deeper into a tool than this are gouged [mm].
   void setTolerance(double tolerance) { tolerance_ = tolerance; }
   /// @brief Refuse a program that leaves more than this over half of the points [mm].
   void setResidualLimit(double limit) { residual_limit_ = limit; }
   /// @brief No tip is meant to go below this [mm]: what lies under it is not left over.
   void setFloor(double floor) { floor_ = floor; }
+  /// @brief Steepest that a tool with a flat on its end may sink into material
+  /// [degrees].
+  void setRampLimit(double degrees) { ramp_limit_ = degrees; }
   /// @brief Edge of a stock cell [mm].
   void setCellSize(double cell) { cell_ = cell; }
   void setNumberOfThreads(unsigned threads) { threads_ = threads; }
@@ -151,6 +186,11 @@ public:
       Range{1e-3, 1e4},
       "most median residual");
     v("cell_size", cell_, "mm", Range{0.01, 50}, "edge of a stock cell");
+    v("ramp_limit",
+      ramp_limit_,
+      "deg",
+      Range{0.1, 89},
+      "steeper into material is a plunge, which a flat end cannot do");
   }
 
   /// @throws ParameterError, DataError for missing or absurd settings; what is wrong
@@ -165,7 +205,9 @@ private:
   Stock stock_;
   std::vector<Tool> tools_;
   double tolerance_ = 0.02, noise_allowance_ = 0.0;
-  double residual_limit_ = 1e4, cell_ = 0.25;
+  std::map<int, double> axial_limits_;
+  Machine machine_;
+  double residual_limit_ = 1e4, cell_ = 0.25, ramp_limit_ = 45.0;
   double floor_ = -std::numeric_limits<double>::infinity();
   double blend_limit_ = std::numeric_limits<double>::infinity();
   unsigned threads_ = 0;

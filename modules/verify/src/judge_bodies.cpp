@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the PointMill authors
+#include "moves.h"
+#include "tool_bodies.h"
+
+#include <pointmill/common/parallel.h>
+
+#include <algorithm>
+#include <deque>
+
+namespace pointmill {
+namespace {
+
+/// How deep points get into a tool whose tip may be anywhere between `low` and `high`.
+double depthInBox(const PointIndex& part,
+                  const CutterProfile& cutter,
+                  const Eigen::Vector3d& low,
+                  const Eigen::Vector3d& high)
+{
+  const double r = cutter.radius();
+  if (low.x() - r > part.max().x() || high.x() + r < part.min().x() ||
+      low.y() - r > part.max().y() || high.y() + r < part.min().y())
+    return 0;
+  const int c0 = part.columnOf(low.x() - r), c1 = part.columnOf(high.x() + r);
+  const int r1 = part.rowOf(high.y() + r);
+  double deepest = 0;
+  for (int row = part.rowOf(low.y() - r); row <= r1; ++row) {
+    const auto [first, last] = part.cells(row, c0, c1);
+    for (std::size_t i = first; i < last; ++i) {
+      const Eigen::Vector3d p = part.point(i);
+      if (p.z() <= low.z())
+        continue;
+      const double dx = std::max({0.0, low.x() - p.x(), p.x() - high.x()});
+      const double dy = std::max({0.0, low.y() - p.y(), p.y() - high.y()});
+      deepest = std::max(deepest,
+                         cutter.depth(std::sqrt(dx * dx + dy * dy), p.z() - low.z()));
+    }
+  }
+  return deepest;
+}
+
+} // namespace
+
+void judgeBends(const PointIndex& part,
+                const std::vector<SweptMove>& moves,
+                double tolerance,
+                unsigned threads,
+                Findings& findings)
+{
+  std::vector<std::size_t> bends; // that come low enough
+  for (std::size_t k = 0; k < moves.size(); ++k)
+    if (moves[k].mayBend() &&
+        std::min(moves[k].a.z(), moves[k].b.z()) < part.max().z() - tolerance)
+      bends.push_back(k);
+  std::vector<double> depths(bends.size());
+  parallelFor(bends.size(), threads, [&](std::size_t i) {
+    const SweptMove& m = moves[bends[i]];
+    depths[i] =
+        depthInBox(part, m.tool->profile(), m.a.cwiseMin(m.b), m.a.cwiseMax(m.b));
+  });
+  for (std::size_t i = 0; i < bends.size(); ++i) {
+    const SweptMove& m = moves[bends[i]];
+    if (depths[i] > tolerance)
+      findings.add("rapid_in_part", depths[i], m.b, m.line, m.tool->number);
+  }
+}
+
+void judgeBodies(const PointIndex& part,
+                 const std::vector<SweptMove>& moves,
+                 double tolerance,
+                 unsigned threads,
+                 Findings& findings)
+{
+  // A body is swept as a tool of its own, on the moves on which it gets low enough.
+  struct Bodies {
+    std::deque<Tool> tools;
+    std::map<std::pair<const Tool*, double>, const Tool*> known;
+    std::vector<SweptMove> moves;
+  };
+  std::map<std::string, Bodies> by_code;
+  for (const auto& m : moves)
+    for (const auto& body : bodiesOf(*m.tool)) {
+      const Eigen::Vector3d up(0, 0, body.above);
+      if (std::min(m.a.z(), m.b.z()) + body.above >= part.max().z() - tolerance)
+        continue;
+      Bodies& bodies = by_code[body.code];
+      const Tool*& tool = bodies.known[{m.tool, body.above}];
+      if (!tool) {
+        bodies.tools.push_back(body.asTool());
+        bodies.tools.back().number = m.tool->number;
+        tool = &bodies.tools.back();
+      }
+      bodies.moves.push_back({m.a + up, m.b + up, tool, m.line, m.rapid});
+    }
+  for (const auto& [code, bodies] : by_code) {
+    std::vector<float> height;
+    const Gouges gouges = sweepPoints(part, bodies.moves, tolerance, threads, height);
+    if (gouges.count > 0)
+      findings.add(code.c_str(),
+                   gouges.depth,
+                   gouges.at,
+                   gouges.line,
+                   gouges.tool,
+                   gouges.count);
+  }
+}
+
+} // namespace pointmill
