@@ -83,10 +83,7 @@ fitArc(const Polyline& line, ArcPlane plane, const ArcLimits& limits)
   const Vector2d left(-chord.y(), chord.x());
   const Vector2d centre = chord / 2 + left * ((1.0 - *bulge * *bulge) / (4 * *bulge));
   FittedArc fit;
-  const auto& to = line.back();
-  fit.arc.to = {static_cast<std::int64_t>(to.x()),
-                static_cast<std::int64_t>(to.y()),
-                static_cast<std::int64_t>(to.z())};
+  fit.arc.to = toPosition(line.back());
   fit.arc.plane = plane;
   fit.arc.clockwise = *bulge < 0;
   fit.arc.u = std::llround(centre.x());

@@ -7,6 +7,7 @@
 #include <Eigen/Core>
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 
 namespace pointmill::gcode {
@@ -48,6 +49,13 @@ struct PlaneAxes {
 inline double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b)
 {
   return a.x() * b.y() - a.y() * b.x();
+}
+
+inline MachinePosition toPosition(const Eigen::Vector3d& p)
+{
+  return {static_cast<std::int64_t>(p.x()),
+          static_cast<std::int64_t>(p.y()),
+          static_cast<std::int64_t>(p.z())};
 }
 
 /// @brief A call that stands for a polyline, and how far they are apart at most.

@@ -124,6 +124,7 @@ public:
 
 private:
   void emitOne();
+  void hand(std::size_t count, const std::optional<MachineArc>& arc);
   void flush();
   void startAt(const MachinePosition& at);
 
