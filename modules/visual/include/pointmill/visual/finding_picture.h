@@ -14,19 +14,21 @@
 
 namespace pointmill {
 
-/// @brief One finding of a verification as its picture shows it, in the part frame [mm].
+/// @brief One finding of a verification as its picture shows it, in the part frame
+/// [mm].
 struct FindingMark {
   std::string code; ///< "gouge", "rapid_in_stock", ...
   std::string text; ///< one sentence for people
   bool warning = false;
-  std::size_t line = 0; ///< of the program; 0: none
-  int tool = 0;         ///< number of one of the scene's tools; 0: none
-  double worst = 0;     ///< how bad it is, for the order [mm]
+  std::size_t line = 0;                 ///< of the program; 0: none
+  int tool = 0;                         ///< number of one of the scene's tools; 0: none
+  double worst = 0;                     ///< how bad it is, for the order [mm]
   std::optional<Eigen::Vector3d> place; ///< of the part or stock; none: list only
-  /// The tool's tip where it is worst. Where there is none, it stands on `move` where it
-  /// is deepest in `place`; without both no tool is drawn.
+  /// The tool's tip where it is worst. Where there is none, it stands on `move` where
+  /// it is deepest in `place`; without both no tool is drawn.
   std::optional<Eigen::Vector3d> tip;
-  /// The tip's way in that line of the program; places that are not finite are left out.
+  /// The tip's way in that line of the program; places that are not finite are left
+  /// out.
   std::vector<Eigen::Vector3d> move;
 };
 
