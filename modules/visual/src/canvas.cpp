@@ -7,10 +7,19 @@
 namespace pointmill::visual {
 
 Canvas::Canvas(int width, int height, const Rgb& background)
-    : width_(width), height_(height),
+    : width_(width), height_(height), clip_{0, 0, width, height},
       bytes_(static_cast<std::size_t>(width) * height * 3)
 {
   fill({0, 0, width, height}, background);
+}
+
+void Canvas::clip(const Rect& rect)
+{
+  const int left = std::max(rect.x, 0), top = std::max(rect.y, 0);
+  clip_ = {left,
+           top,
+           std::min(rect.right(), width_) - left,
+           std::min(rect.bottom(), height_) - top};
 }
 
 void Canvas::set(int x, int y, const Rgb& colour)

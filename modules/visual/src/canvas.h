@@ -28,6 +28,10 @@ public:
 
   int width() const { return width_; }
   int height() const { return height_; }
+  /// @brief From now on what is drawn outside of @p rect is ignored.
+  void clip(const Rect& rect);
+  /// @brief Draws anywhere again.
+  void unclip() { clip({0, 0, width_, height_}); }
   const std::uint8_t* row(int y) const { return &bytes_[offset(0, y)]; }
 
   void set(int x, int y, const Rgb& colour);
@@ -58,10 +62,11 @@ private:
   }
   bool inside(int x, int y) const
   {
-    return x >= 0 && y >= 0 && x < width_ && y < height_;
+    return x >= clip_.x && y >= clip_.y && x < clip_.right() && y < clip_.bottom();
   }
   int width_;
   int height_;
+  Rect clip_;
   std::vector<std::uint8_t> bytes_;
 };
 
@@ -71,10 +76,16 @@ void Canvas::line(
 {
   const float half = thickness * 0.5f, dx = x1 - x0, dy = y1 - y0;
   const float length2 = std::max(dx * dx + dy * dy, 1e-12f);
-  const int left = static_cast<int>(std::floor(std::min(x0, x1) - half - 1));
-  const int right = static_cast<int>(std::ceil(std::max(x0, x1) + half + 1));
-  const int top = static_cast<int>(std::floor(std::min(y0, y1) - half - 1));
-  const int bottom = static_cast<int>(std::ceil(std::max(y0, y1) + half + 1));
+  const auto first = [&](float a, float b, int from) {
+    return static_cast<int>(
+        std::max(std::floor(std::min(a, b) - half - 1), static_cast<float>(from)));
+  };
+  const auto last = [&](float a, float b, int to) {
+    return static_cast<int>(
+        std::min(std::ceil(std::max(a, b) + half + 1), static_cast<float>(to - 1)));
+  };
+  const int left = first(x0, x1, clip_.x), right = last(x0, x1, clip_.right());
+  const int top = first(y0, y1, clip_.y), bottom = last(y0, y1, clip_.bottom());
   for (int y = top; y <= bottom; ++y)
     for (int x = left; x <= right; ++x) {
       const float px = x + 0.5f - x0, py = y + 0.5f - y0;

@@ -17,6 +17,7 @@ public:
   /// cells, and its cells know where they are
   Grid(const CellCloud& cells, const std::string& what);
 
+  const CellCloud& cells() const { return cells_; }
   int columns() const { return columns_; }
   int rows() const { return rows_; }
   /// @brief From one column or row to the next [mm]; may be negative.

@@ -102,7 +102,7 @@ void writeLevel(const std::string& path, const LevelScene& scene, int width)
   const int figures_top = 6 * unit;
   const int top = figures_top + figures.lines * 3 * unit + unit;
   const Plan plan = planOf(boxOf(scene, moves), margin, top, room);
-  const LevelLegend legend(scene, moves, z, room, unit);
+  const Key legend = levelLegend(scene, moves, z, room, unit);
   const int ruler = plan.place.bottom() + 3 * unit;
   Canvas canvas(width, ruler + 2 * unit + legend.height() + unit, kPage);
 

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the PointMill authors
+#pragma once
+
+#include <pcl/point_cloud.h>
+#include <pcl/point_types.h>
+
+#include <string>
+
+namespace pointmill {
+
+/// @brief Writes a map of deviations as a PNG, seen from above (X right, Y up): each
+/// point's intensity is the milled surface's signed distance from it [mm], blue where
+/// material is left, red where too much is gone, pale within the tolerance, and grey
+/// where it is NaN: no tool came there. Points that share a cell of the map show the
+/// one that is farthest off. Under it stand a histogram over the bar of the colours,
+/// with the tolerance marked, and the share of the points that keep it.
+/// @param tolerance deviations up to this, to either side, are in order [mm]
+/// @throws ParameterError where @p tolerance is not in 1e-4 .. 10; DataError where no
+/// point has a place, all lie on a line along an axis, or @p path cannot be written
+/// (nothing is left then)
+void writeDeviation(const std::string& path,
+                    const pcl::PointCloud<pcl::PointXYZI>& deviation,
+                    double tolerance,
+                    const std::string& title = "deviation from the part");
+
+} // namespace pointmill
