@@ -3,6 +3,7 @@
 //
 // pointmill: from the scan of a part to the program that mills it.
 // Exit codes: 0 good, 1 usage, 2 bad input, 3 refused by verification.
+#include "cutting_command.h"
 #include "mill_command.h"
 
 #include <pointmill/common/error.h>
@@ -20,15 +21,21 @@ int main(int argc, char** argv)
   app.get_formatter()->column_width(44);
   MillCommand mill;
   CLI::App* mill_command = declareMill(app, mill);
+  CuttingCommand cutting;
+  CLI::App* cutting_command = declareCutting(app, cutting);
   try {
     app.parse(argc, argv);
     if (mill_command->parsed())
       return runMill(mill);
+    if (cutting_command->parsed())
+      return runCutting(cutting);
   }
   catch (const CLI::ParseError& e) {
     if (e.get_exit_code() == 0) // --help, --version
       return app.exit(e);
-    std::cerr << "pointmill: " << e.what() << " (pointmill mill --help)\n";
+    const auto used = app.get_subcommands();
+    std::cerr << "pointmill: " << e.what() << " (pointmill "
+              << (used.empty() ? "" : used.front()->get_name() + " ") << "--help)\n";
     return 1;
   }
   catch (const Interrupted& e) {

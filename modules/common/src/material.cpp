@@ -15,13 +15,15 @@ namespace {
 std::string plain(const std::string& text)
 {
   std::string out;
-  for (const unsigned char c : text) {
-    const bool parts = std::isspace(c) || c == '_' || c == '-';
-    if (!parts)
+  bool parted = false;
+  for (const unsigned char c : text)
+    if (std::isspace(c) || c == '_' || c == '-')
+      parted = !out.empty();
+    else {
+      out += parted ? "-" : "";
       out += static_cast<char>(std::tolower(c));
-    else if (!out.empty() && out.back() != '-')
-      out += '-';
-  }
+      parted = false;
+    }
   return out;
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the PointMill authors
+#include <pointmill/common/error.h>
 #include <pointmill/common/parameters.h>
 #include <pointmill/verify/program_time.h>
 
@@ -210,6 +211,8 @@ ProgramTime programTime(const Program& program,
       stop = true;
     }
     else if (length > 0) {
+      if (!move.rapid && !(move.feed > 0))
+        throw DataError(program.where(move.line) + ": a feed move without a feed");
       planner.add(i, length, stop);
       section.unhindered += length / planner.speedOf(move);
       stop = false;

@@ -15,17 +15,17 @@ namespace pointmill {
 /// The specific cutting force follows Kienzle, `kc = kc11 h^-mc` with the chip
 /// thickness h in mm: `kc11` is the force [N/mm2] on a chip of 1 mm by 1 mm.
 struct WorkMaterial {
-  std::string name;        ///< as "stainless-steel"
-  std::string also;        ///< other names, between blanks
-  std::string description; ///< typical grades and hardness
-  Range carbide_speed;     ///< surface speed of solid carbide, rough .. finish [m/min]
-  Range hss_speed;         ///< of high-speed steel; 0 .. 0: not to be milled with it
-  double chip_ratio;       ///< chip load by the diameter of the tool's end
-  double chip_limit;       ///< of the chip load, however large the tool [mm]
-  double rough_depth;      ///< of a roughing cut, by the diameter of the tool's end
-  double kc11;             ///< N/mm2
-  double mc;
-  bool coolant; ///< flood coolant; otherwise dry, or air
+  std::string name;         ///< as "stainless-steel"
+  std::string also;         ///< other names, between blanks
+  std::string description;  ///< typical grades and hardness
+  Range carbide_speed{};    ///< surface speed of solid carbide, rough .. finish [m/min]
+  Range hss_speed{};        ///< of high-speed steel; 0 .. 0: not to be milled with it
+  double chip_ratio = 0.0;  ///< chip load by the diameter of the tool's end
+  double chip_limit = 0.0;  ///< of the chip load, however large the tool [mm]
+  double rough_depth = 0.0; ///< of a roughing cut, by the diameter of the tool's end
+  double kc11 = 0.0;        ///< N/mm2
+  double mc = 0.0;
+  bool coolant = true; ///< flood coolant; otherwise dry, or air
 
   /// @brief Throws ParameterError, naming the material and the field.
   void validate() const;

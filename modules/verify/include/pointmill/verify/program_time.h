@@ -45,8 +45,28 @@ struct ProgramTime {
   std::vector<SectionTime> sections;
 };
 
-/// @brief Estimates how long a program runs.
-/// @throws ParameterError for a machine or options that are refused
+/// @brief Estimates how long a program runs: every move speeds up and brakes with
+/// Machine::acceleration along the path, cruises at its feed (a rapid at
+/// Machine::rapid_rate), and passes each corner at the speed that it allows. Feeds are
+/// kept below Machine::max_feed, where that is not known below the rapid rate.
+///
+/// A corner is passed as if on a circle that both moves touch, at no more than
+/// `sqrt(acceleration radius)`; one move's touches it in the middle of the shorter one
+/// at the farthest, so that chords of an arc are milled at the speed of that arc. Nor
+/// does the circle leave the corner by more than the deviation that is allowed: P of
+/// G64, else Machine::junction_deviation. At deviation 0 (G61, G61.1) the tool stops at
+/// each corner, but not between the chords of one arc. It rests, too, where tool or
+/// spindle change and at places that the program does not determine.
+///
+/// Rapids are taken as straight. Not counted: jerk, dwells, the run-up of the spindle,
+/// and moves to or from the top of the machine. Time and memory are linear in the
+/// moves.
+///
+/// Sources: S. Jeon, Improving Grbl: Cornering Algorithm (2011), the junction
+/// deviation; Klipper's documentation, Kinematics, the circle to the middle of the
+/// shorter move; a pass forward and one backward as in both.
+/// @throws ParameterError for a machine or options that are refused, DataError for a
+/// feed move without a feed
 ProgramTime programTime(const Program& program,
                         const Machine& machine,
                         const ProgramTimeOptions& options = {});
