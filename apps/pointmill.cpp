@@ -4,6 +4,7 @@
 // pointmill: from the scan of a part to the program that mills it.
 // Exit codes: 0 good, 1 usage, 2 bad input, 3 refused by verification.
 #include "check_command.h"
+#include "cutting_command.h"
 #include "mill_command.h"
 
 #include <pointmill/common/error.h>
@@ -23,17 +24,23 @@ int main(int argc, char** argv)
   CLI::App* mill_command = declareMill(app, mill);
   CheckCommand check;
   CLI::App* check_command = declareCheck(app, check);
+  CuttingCommand cutting;
+  CLI::App* cutting_command = declareCutting(app, cutting);
   try {
     app.parse(argc, argv);
     if (mill_command->parsed())
       return runMill(mill);
     if (check_command->parsed())
       return runCheck(check);
+    if (cutting_command->parsed())
+      return runCutting(cutting);
   }
   catch (const CLI::ParseError& e) {
     if (e.get_exit_code() == 0) // --help, --version
       return app.exit(e);
-    std::cerr << "pointmill: " << e.what() << " (pointmill --help)\n";
+    const auto used = app.get_subcommands();
+    std::cerr << "pointmill: " << e.what() << " (pointmill "
+              << (used.empty() ? "" : used.front()->get_name() + " ") << "--help)\n";
     return 1;
   }
   catch (const Interrupted& e) {

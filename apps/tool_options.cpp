@@ -20,16 +20,20 @@ void check(const ToolOptions& options,
            const std::optional<double>& value,
            Use use)
 {
-  const std::string name = "--" + options.name + option;
+  const std::string name = options.option(option);
+  const std::string kind = options.option("-type") + " " + type;
   if (use == Use::Needs && !value)
-    throw ParameterError("mill: --" + options.name + "-type " + type + " needs " +
-                         name);
+    throw ParameterError(kind + " needs " + name);
   if (use == Use::Refuses && value)
-    throw ParameterError("mill: " + name + " does not befit --" + options.name +
-                         "-type " + type);
+    throw ParameterError(name + " does not befit " + kind);
 }
 
 } // namespace
+
+std::string ToolOptions::option(const std::string& ending) const
+{
+  return name.empty() ? "-" + ending : "--" + name + ending;
+}
 
 void ToolOptions::declare(CLI::App& app, const std::string& group, const Tool& standard)
 {
@@ -38,7 +42,7 @@ void ToolOptions::declare(CLI::App& app, const std::string& group, const Tool& s
                        const char* unit,
                        const std::string& preset,
                        const char* help) {
-    app.add_option("--" + name + option, value, help)
+    app.add_option(this->option(option), value, help)
         ->type_name(unit)
         ->default_str(preset)
         ->group(group);
@@ -61,8 +65,7 @@ Tool ToolOptions::toolFrom(const Tool& standard) const
   const std::string kind = type.value_or(standard.type());
   const bool bull = kind == "bull", taper_kind = kind == "taper", cone = kind == "cone";
   if (("|" + std::string(kTypes) + "|").find("|" + kind + "|") == std::string::npos)
-    throw ParameterError("mill: --" + name + "-type must be " + kTypes + ", not " +
-                         kind);
+    throw ParameterError(option("-type") + " must be " + kTypes + ", not " + kind);
   check(*this,
         kind,
         "-corner",

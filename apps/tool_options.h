@@ -14,10 +14,13 @@
 struct ToolOptions {
   explicit ToolOptions(std::string beginning) : name(std::move(beginning)) {}
 
-  std::string name; ///< the options' common beginning, as "finish"
+  std::string name; ///< the options' common beginning, as "finish", or none
   std::optional<std::string> type;
   std::optional<double> diameter, corner, taper, tip, flute_length, shank, stick_out, holder;
   std::optional<int> flutes;
+
+  /// @brief What the option is called that ends with @p ending, as "-type".
+  std::string option(const std::string& ending) const;
 
   /// @brief Declares `--NAME-type`, `--NAME-diameter` and so on.
   /// @param standard the tool that it is without them, for the help
