@@ -68,7 +68,9 @@ std::string held(const CuttingData& data, CutLimit limit, const std::string& tex
   return text;
 }
 
-void print(const CuttingCommand& command, const CutSetting& cut, const CuttingData& data)
+void print(const CuttingCommand& command,
+           const CutSetting& cut,
+           const CuttingData& data)
 {
   const Cutting set = data.cutting();
   std::cout << cut.material.name << ", " << cut.tool.describe().substr(3) << ", "
