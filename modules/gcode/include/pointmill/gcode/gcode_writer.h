@@ -161,6 +161,11 @@ public:
   Statistics write(const std::vector<Operation>& operations, MachineCalls& calls) const;
 
 private:
+  std::size_t countFiles(const std::vector<Operation>& operations) const;
+  Statistics print(const std::vector<Operation>& operations,
+                   const Opener& open,
+                   std::size_t files) const;
+
   std::vector<std::string> comments_;
   double clearance_ = std::numeric_limits<double>::quiet_NaN();
   double tolerance_ = 0.01;

@@ -75,10 +75,10 @@ struct Post {
   /// @name Moves
   /// @{
   std::string rapid = "G0", feed = "G1", arc_cw = "G2", arc_ccw = "G3";
-  std::vector<ArcPlane> arc_planes; ///< of arcs that it takes; none: no arcs
-  bool helices = true;
-  double largest_sweep = 180.0; ///< of one arc [degrees], 1 .. 180
-  bool absolute_pole = false;   ///< I J are the centre, in a block of their own
+  std::vector<ArcPlane> arc_planes;   ///< of arcs that it takes; none: no arcs
+  std::vector<ArcPlane> helix_planes; ///< of arcs that move along their axis as well
+  double largest_sweep = 180.0;       ///< of one arc [degrees], 1 .. 180
+  bool absolute_pole = false;         ///< I J are the centre, in a block of their own
   /// @}
 
   ToolChange tools = ToolChange::Changer; ///< who changes them, unless told
@@ -89,14 +89,14 @@ struct Post {
   /// {tool_text} and {rpm}, and coordinates.
   /// @{
   std::string unit_mm = "G21", unit_inch = "G20"; ///< what {unit} stands for
-  Lines start;       ///< before the comments of the head
+  Lines start;                                    ///< before the comments of the head
   Lines stock;       ///< {xmin} .. {zmax}; left out where no stock is known
   Lines setup;       ///< modes
   Lines exact_path;  ///< no blending of corners
   Lines blend;       ///< blending within {tolerance}; none: it cannot state one
   Lines tool_change; ///< a tool, its length and the spindle
   Lines tool_pause;  ///< the same by a person; none: it cannot wait
-  Lines spindle;     ///< another speed of the same tool
+  Lines spindle;     ///< another speed of the same tool; none: as a tool change
   Lines coolant_on, coolant_off;
   Lines approach; ///< to {x} {y} {z}, Z first; leaves rapid motion in force
   Lines dwell;    ///< {seconds}
@@ -118,8 +118,10 @@ struct Post {
   /// @brief The same from text; @p source names it in errors.
   static Post fromText(const std::string& text, const std::string& source);
 
-  /// @brief Whether arcs in @p plane can be written.
   bool takesArcs(ArcPlane plane) const;
+  bool takesHelices(ArcPlane plane) const;
+  /// @brief The lines of a retract; none where it stays.
+  const Lines& retractLines(Retract how) const;
   /// @brief Throws ParameterError for what no control can want.
   void validate() const;
 };
