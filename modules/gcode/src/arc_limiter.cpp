@@ -13,6 +13,7 @@ namespace pointmill::gcode {
 
 namespace {
 
+constexpr double chord_error = 0.001; // mm
 constexpr double degree = 3.14159265358979323846 / 180.0;
 
 int pieces(double sweep, double largest)
@@ -21,10 +22,10 @@ int pieces(double sweep, double largest)
   return std::max(1, static_cast<int>(std::ceil(std::abs(sweep) / largest - 1e-9)));
 }
 
-/// The sweep of a chord that is one tick away from its arc [rad].
+/// The sweep of a chord that leaves its arc by chord_error [rad].
 double chordSweep(double radius)
 {
-  return 2 * std::acos(1 - 1 / std::max(radius, 2.0));
+  return 2 * std::acos(1 - chord_error / std::max(radius, 2 * chord_error));
 }
 
 } // namespace
@@ -69,7 +70,7 @@ void ArcLimiter::arc(const MachineArc& arc, std::int64_t feed)
   const bool taken = flat ? post_.takesArcs(arc.plane) : post_.takesHelices(arc.plane);
   const int n =
       pieces(geometry.sweep(),
-             taken ? post_.largest_sweep * degree : chordSweep(geometry.radius()));
+             taken ? post_.largest_sweep * degree : chordSweep(grid_.value(1) * geometry.radius()));
   for (int i = 1; i <= n; ++i) {
     const auto to = geometry.point(double(i) / n);
     if (to == *at_)

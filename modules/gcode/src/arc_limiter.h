@@ -4,6 +4,7 @@
 
 #include "call_adapter.h"
 
+#include <pointmill/gcode/decimal_grid.h>
 #include <pointmill/gcode/post.h>
 
 #include <optional>
@@ -15,7 +16,10 @@ namespace pointmill::gcode {
 /// lie on the ticks, chords within one of them.
 class ArcLimiter : public CallAdapter {
 public:
-  ArcLimiter(MachineCalls& next, const Post& post) : CallAdapter(next), post_(post) {}
+  ArcLimiter(MachineCalls& next, const Post& post, const DecimalGrid& grid)
+      : CallAdapter(next), post_(post), grid_(grid)
+  {
+  }
 
   void retract() override;
   void changeTool(int number) override;
@@ -27,6 +31,7 @@ public:
 
 private:
   const Post& post_;
+  const DecimalGrid grid_;
   std::optional<MachinePosition> at_;
 };
 

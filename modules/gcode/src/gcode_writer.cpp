@@ -144,11 +144,11 @@ GCodeWriter::Statistics GCodeWriter::print(const std::vector<Operation>& operati
     split.clearance = settings.grid.atOrAbove(static_cast<float>(clearance_));
     split.soft_landing = settings.grid.nearest(soft_landing);
     ProgramSplitter splitter(programs, post_, split);
-    ArcLimiter limiter(splitter, post_);
+    ArcLimiter limiter(splitter, post_, settings.grid);
     statistics = runThrough(adapters_, *this, plan, limiter);
   }
   else {
-    ArcLimiter limiter(programs, post_);
+    ArcLimiter limiter(programs, post_, settings.grid);
     statistics = runThrough(adapters_, *this, plan, limiter);
   }
   statistics.files = programs.files();

@@ -72,14 +72,24 @@ char* KlartextPrinter::line(const MachinePosition& to)
   return p;
 }
 
+/// Whether a block would have no coordinate.
+bool KlartextPrinter::isAt(const MachinePosition& to) const
+{
+  return at_ && to == *at_ && !arc_end_;
+}
+
 void KlartextPrinter::traverse(const MachinePosition& to)
 {
+  if (isAt(to))
+    return;
   endBlock(word(line(to), "R0 FMAX"));
   feed_ = 0;
 }
 
 void KlartextPrinter::straight(const MachinePosition& to, std::int64_t rate)
 {
+  if (isAt(to))
+    return;
   endBlock(feed(line(to), rate));
 }
 

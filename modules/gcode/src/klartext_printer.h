@@ -35,6 +35,7 @@ private:
   };
 
   char* line(const MachinePosition& to);
+  bool isAt(const MachinePosition& to) const;
   bool isStale(int axis) const;
   Eigen::Vector2d start(ArcPlane plane) const;
 

@@ -26,11 +26,15 @@ void WordPrinter::approached(const MachinePosition& to)
 
 void WordPrinter::traverse(const MachinePosition& to)
 {
+  if (at_ && to == *at_)
+    return;
   endBlock(axes(mode(block(), Mode::Rapid), to));
 }
 
 void WordPrinter::straight(const MachinePosition& to, std::int64_t rate)
 {
+  if (at_ && to == *at_)
+    return;
   endBlock(feed(axes(mode(block(), Mode::Feed), to), rate));
 }
 
