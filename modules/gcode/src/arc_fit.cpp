@@ -38,6 +38,7 @@ public:
     return low_ <= high_;
   }
 
+  bool has(double bulge) const { return bulge >= low_ && bulge <= high_; }
   double middle() const { return (low_ + high_) / 2; }
 
 private:
@@ -46,23 +47,41 @@ private:
   double low_, high_;
 };
 
+/// The bulge of an arc of that radius, of half a turn at most, over half a chord.
+double bulgeOf(double radius, double half)
+{
+  return half < radius ? half / (radius + std::sqrt(radius * radius - half * half))
+                       : 1.0;
+}
+
+/// The nearest bulge whose arc, where it is half a turn at most, has an allowed radius.
+/// Rounding the centre changes that by less than a tick.
+double withRadius(double bulge, double half, const ArcLimits& limits)
+{
+  const double flattest = bulgeOf(limits.largest_radius - 1, half);
+  const double roundest = bulgeOf(limits.smallest_radius + 1, half);
+  const double size = std::abs(bulge);
+  return size > 1 ? bulge : std::copysign(std::clamp(size, flattest, roundest), bulge);
+}
+
 } // namespace
 
 std::optional<double>
 commonBulge(const Polyline& line, const PlaneAxes& axes, const ArcLimits& limits)
 {
-  BulgeRange range(axes.project(line.front()),
-                   axes.project(line.back()),
-                   std::tan(limits.largest_sweep / 4),
-                   limits.tolerance);
-  Vector2d at = axes.project(line.front());
+  const Vector2d first = axes.project(line.front()), last = axes.project(line.back());
+  BulgeRange range(first, last, std::tan(limits.largest_sweep / 4), limits.tolerance);
+  Vector2d at = first;
   for (std::size_t i = 1; i < line.size; ++i) {
     const Vector2d next = axes.project(line[i]);
     if (!range.passBy((at + next) / 2) || (i + 1 < line.size && !range.passBy(next)))
       return std::nullopt;
     at = next;
   }
-  return range.middle();
+  const double bulge = withRadius(range.middle(), (last - first).norm() / 2, limits);
+  if (range.has(0.0) || !range.has(bulge)) // straight in this plane: an arc is no help
+    return std::nullopt;
+  return bulge;
 }
 
 std::optional<FittedArc>
@@ -70,14 +89,10 @@ fitArc(const Polyline& line, ArcPlane plane, const ArcLimits& limits)
 {
   const PlaneAxes axes(plane);
   const Vector2d chord = axes.project(line.back() - line.front());
-  const double length = chord.norm();
-  if (length < shortest_arc)
+  if (chord.norm() < shortest_arc)
     return std::nullopt;
   const auto bulge = commonBulge(line, axes, limits);
   if (!bulge)
-    return std::nullopt;
-  const double radius = length * (1.0 + *bulge * *bulge) / (4 * std::abs(*bulge));
-  if (!(radius <= limits.largest_radius))
     return std::nullopt;
 
   const Vector2d left(-chord.y(), chord.x());

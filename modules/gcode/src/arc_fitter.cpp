@@ -180,6 +180,8 @@ void ArcFitter::startAt(const MachinePosition& at)
 void ArcFitter::begin(const ProgramHead& head)
 {
   validateParameters(*this, "ArcFitter");
+  checkRange(
+      "ArcFitter", "smallest_radius", smallest_radius_, "mm", {0.01, largest_radius_});
   next_.begin(head);
 }
 
