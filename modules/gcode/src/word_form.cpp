@@ -98,6 +98,7 @@ bool WordForm::execute()
   setPath();
   if (code(NonModal) || code(MachineFrame))
     obeyNonModal();
+  setPole();
   move();
   checkLeftOver();
   if (is(Stop, 0) || is(Stop, 10))
