@@ -52,6 +52,14 @@ public:
            : incremental_ & bit(letter) ? Frame::Incremental
                                         : modal;
   }
+  /// @brief Whether there is nothing but coordinates, a feed and the block's number.
+  bool onlyMoves() const
+  {
+    constexpr std::uint32_t moves = (0x7u << ('I' - 'A')) | (0x7u << ('X' - 'A')) |
+                                    (1u << ('F' - 'A')) | (1u << ('N' - 'A')) |
+                                    (1u << ('R' - 'A'));
+    return g_count_ == 0 && m_count_ == 0 && (present_ & ~moves) == 0;
+  }
   /// @brief The first of @p letters that is open, or 0.
   char firstOf(const char* letters) const;
   /// @brief A word that nobody has taken, or 0. N needs no taker.

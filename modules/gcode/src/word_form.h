@@ -83,6 +83,8 @@ protected:
 
 private:
   bool execute();
+  void readProgramNumber();
+  bool stop();
   void sortCodes();
   void sort(char letter, const Code& word, Group group);
   void setUnits();
