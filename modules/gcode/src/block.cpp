@@ -20,29 +20,9 @@ std::string wordName(char letter)
   }
 }
 
-void Block::clear(std::size_t line)
+void Block::refuseSecondOwner(char letter) const
 {
-  line_ = line;
-  present_ = absolute_ = incremental_ = used_ = 0;
-  g_count_ = m_count_ = 0;
-  percent_column_ = 0;
-  comment_ = {};
-}
-
-double Block::take(char letter) const
-{
-  if (!open(letter))
-    fail(column(letter), wordName(letter) + " belongs to two words");
-  used_ |= bit(letter);
-  return values_[letter - 'A'];
-}
-
-char Block::firstOf(const char* letters) const
-{
-  for (; *letters; ++letters)
-    if (open(*letters))
-      return *letters;
-  return 0;
+  fail(column(letter), wordName(letter) + " belongs to two words");
 }
 
 char Block::leftOver() const

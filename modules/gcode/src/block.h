@@ -33,7 +33,14 @@ public:
   /// @brief Whether the value of a word says by itself what it counts from.
   enum class Frame { Modal, Absolute, Incremental };
 
-  void clear(std::size_t line);
+  void clear(std::size_t line)
+  {
+    line_ = line;
+    present_ = absolute_ = incremental_ = used_ = 0;
+    g_count_ = m_count_ = 0;
+    percent_column_ = 0;
+    comment_ = {};
+  }
   void addCode(char letter, double number, int column);
   void addWord(char letter, double value, int column, Frame frame = Frame::Modal);
   void setComment(std::string_view text) { comment_ = text; }
@@ -43,7 +50,13 @@ public:
   /// @brief Whether the word is there and nobody has taken it yet.
   bool open(char letter) const { return present_ & ~used_ & bit(letter); }
   /// @brief The value of a word that is there; a word can be taken once.
-  double take(char letter) const;
+  double take(char letter) const
+  {
+    if (!open(letter))
+      refuseSecondOwner(letter);
+    used_ |= bit(letter);
+    return values_[letter - 'A'];
+  }
   int column(char letter) const { return columns_[letter - 'A']; }
   Place place(char letter) const { return {line_, column(letter)}; }
   Frame frame(char letter, Frame modal) const
@@ -52,8 +65,22 @@ public:
            : incremental_ & bit(letter) ? Frame::Incremental
                                         : modal;
   }
+  /// @brief Whether there is nothing but coordinates, a feed and the block's number.
+  bool onlyMoves() const
+  {
+    constexpr std::uint32_t moves = (0x7u << ('I' - 'A')) | (0x7u << ('X' - 'A')) |
+                                    (1u << ('F' - 'A')) | (1u << ('N' - 'A')) |
+                                    (1u << ('R' - 'A'));
+    return g_count_ == 0 && m_count_ == 0 && (present_ & ~moves) == 0;
+  }
   /// @brief The first of @p letters that is open, or 0.
-  char firstOf(const char* letters) const;
+  char firstOf(const char* letters) const
+  {
+    for (; *letters; ++letters)
+      if (open(*letters))
+        return *letters;
+    return 0;
+  }
   /// @brief A word that nobody has taken, or 0. N needs no taker.
   char leftOver() const;
 
@@ -75,6 +102,8 @@ public:
   }
 
 private:
+  [[noreturn]] void refuseSecondOwner(char letter) const;
+
   static constexpr int places = HighSpeed - 'A' + 1;
   static std::uint32_t bit(char letter) { return 1u << (letter - 'A'); }
 

@@ -2,6 +2,9 @@
 // Copyright (c) 2026, the PointMill authors
 #include "front_end.h"
 
+#include "heidenhain_iso_form.h"
+#include "klartext_form.h"
+
 #include "rs274_form.h"
 #include "siemens_form.h"
 
@@ -18,9 +21,12 @@ std::unique_ptr<FrontEnd> frontEnd(ProgramForm form, Machine& machine)
     return std::make_unique<GrblForm>(machine);
   case ProgramForm::Siemens:
     return std::make_unique<SiemensForm>(machine);
-  default:
-    throw ParameterError("GCodeReader: this form of program cannot be read yet");
+  case ProgramForm::HeidenhainIso:
+    return std::make_unique<HeidenhainIsoForm>(machine);
+  case ProgramForm::Klartext:
+    return std::make_unique<KlartextForm>(machine);
   }
+  throw ParameterError("GCodeReader: there is no such form of program");
 }
 
 } // namespace pointmill::gcode

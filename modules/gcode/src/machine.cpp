@@ -51,10 +51,8 @@ void Machine::selectOffset(const std::string& name, Place place)
   offset_ = name;
 }
 
-void Machine::enterFrame(const char* offset)
+void Machine::fixFrame(const char* offset)
 {
-  if (framed_)
-    return;
   framed_ = true;
   if (offset_.empty())
     offset_ = offset;
@@ -128,15 +126,14 @@ void Machine::setPath(double blend, double merge)
   program_.merge = std::max(program_.merge, merge);
 }
 
-void Machine::checkFeedMove(double feed, const char* word, Place place) const
+void Machine::refuseFeedMove(const char* word, Place place) const
 {
   for (int axis = 0; axis < 3; ++axis)
     if (!std::isfinite(at_[axis]))
       refuse(place,
              std::string(word) + " from an unknown position: " +
                  static_cast<char>('X' + axis) + " is not set");
-  if (!(feed > 0))
-    refuse(place, std::string(word) + " without a feed: no F so far");
+  refuse(place, std::string(word) + " without a feed: no F so far");
 }
 
 void Machine::arc(const Arc& arc, double feed, Place place)

@@ -48,7 +48,11 @@ public:
   void selectOffset(const std::string& name, Place place);
   /// @brief A coordinate of the program is used: its frame is that of the part.
   /// @p offset is what is in force where none was selected.
-  void enterFrame(const char* offset = "");
+  void enterFrame(const char* offset = "")
+  {
+    if (!framed_)
+      fixFrame(offset);
+  }
   double toPart(int axis, double value) const { return value + shift_[axis]; }
   /// @brief The tip is at @p value of a shifted frame from now on: G92.
   void shiftFrame(int axis, double value, Place place);
@@ -84,7 +88,11 @@ public:
   void rapid(const Eigen::Vector3d& to) { emit(to, true, 0.0); }
   /// @brief Refuses feed moves of which the start or the feed is not known; @p word is
   /// how the program calls them.
-  void checkFeedMove(double feed, const char* word, Place place) const;
+  void checkFeedMove(double feed, const char* word, Place place) const
+  {
+    if (!(feed > 0) || !at_.allFinite())
+      refuseFeedMove(word, place);
+  }
   void straight(const Eigen::Vector3d& to, double feed) { emit(to, false, feed); }
   /// @brief As chords.
   void arc(const Arc& arc, double feed, Place place);
@@ -94,6 +102,8 @@ public:
   /// @}
 
 private:
+  void fixFrame(const char* offset);
+  [[noreturn]] void refuseFeedMove(const char* word, Place place) const;
   void beginSection(std::string_view name, bool by_comment);
   void emit(const Eigen::Vector3d& to, bool rapid, double feed);
   void loseLength();

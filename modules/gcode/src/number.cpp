@@ -28,32 +28,36 @@ constexpr double powers[] = {1e0,
                              1e16,
                              1e17};
 
+/// Reads digits, with blanks between, into @p mantissa; returns how many.
+int scanDigits(const char*& p, const char* end, std::uint64_t& mantissa)
+{
+  int digits = 0;
+  for (; p != end && (isDigit(*p) || isBlank(*p)); ++p)
+    if (isDigit(*p) && ++digits <= most_digits)
+      mantissa = mantissa * 10 + static_cast<std::uint64_t>(*p - '0');
+  return digits;
+}
+
 } // namespace
 
 Number scanNumber(const char* p, const char* end)
 {
-  bool negative = false, point = false, sign = false;
-  int digits = 0, decimals = 0;
+  while (p != end && isBlank(*p))
+    ++p;
+  const bool negative = p != end && *p == '-';
+  if (p != end && (*p == '-' || *p == '+'))
+    ++p;
   std::uint64_t mantissa = 0;
-  for (; p != end; ++p) {
-    const char c = *p;
-    if (isDigit(c)) {
-      mantissa = mantissa * 10 + static_cast<std::uint64_t>(c - '0');
-      decimals += point;
-      if (++digits > most_digits)
-        return {Number::State::TooLong, 0.0, p};
-    }
-    else if (c == '.' && !point)
-      point = true;
-    else if ((c == '-' || c == '+') && !sign && !point && digits == 0) {
-      sign = true;
-      negative = c == '-';
-    }
-    else if (!isBlank(c))
-      break;
+  int digits = scanDigits(p, end, mantissa), decimals = 0;
+  if (p != end && *p == '.') {
+    ++p;
+    decimals = scanDigits(p, end, mantissa);
+    digits += decimals;
   }
   if (digits == 0)
     return {Number::State::Missing, 0.0, p};
+  if (digits > most_digits)
+    return {Number::State::TooLong, 0.0, p};
   const double magnitude = static_cast<double>(mantissa) / powers[decimals];
   return {Number::State::Good, negative ? -magnitude : magnitude, p};
 }

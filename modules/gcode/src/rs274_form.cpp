@@ -8,7 +8,8 @@ namespace pointmill::gcode {
 
 void Rs274Form::dwell()
 {
-  if (!block().has('P') || block().take('P') < 0)
+  const char word = block().firstOf("PX"); // X is Fanuc's
+  if (!word || block().take(word) < 0)
     fail(code(NonModal)->column, "G4 needs P, at least 0 seconds");
 }
 

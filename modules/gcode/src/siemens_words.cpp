@@ -4,8 +4,6 @@
 #include "number.h"
 #include "word_lexer.h"
 
-#include <cctype>
-
 namespace pointmill::gcode {
 
 namespace {
@@ -97,7 +95,7 @@ void WordLexer::readAssignment(const std::string& name, const char* at)
     if (!skipsTo('('))
       fail(function, "a '(' is missing");
   }
-  const double value = number(at, name);
+  const double value = number(at);
   if (frame != Block::Frame::Modal && !skipsTo(')'))
     fail(at, "a ')' is missing");
   block_->addWord(place, value, columnOf(at), frame);
@@ -113,7 +111,7 @@ void WordLexer::readCall(const std::string& name, const char* at)
   }
   double tolerance = 0.0;
   if (!shows && p_ != end_ && *p_ != ')')
-    tolerance = number(at, name);
+    tolerance = number(at);
   bool quoted = false;
   const char* const inside = p_;
   while (p_ != end_ && (quoted || *p_ != ')')) {

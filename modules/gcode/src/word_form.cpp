@@ -80,31 +80,48 @@ bool WordForm::obey(std::string_view text, std::size_t line)
 bool WordForm::execute()
 {
   sortCodes();
-  if (block_.has('O')) {
-    block_.take('O');
-    if (started_)
-      fail('O', "O (subprogram) is not supported");
+  // Most blocks only go on to the next position.
+  if (!block_.onlyMoves()) {
+    if (block_.has('O'))
+      readProgramNumber();
+    if (is(NonModal, 40))
+      dwell();
+    setUnits();
+    setFeedAndSpeed();
+    setTool();
+    runSpindle();
+    setModes();
+    setLength();
+    if (code(Offset))
+      setOffset();
+    setPath();
+    if (code(NonModal) || code(MachineFrame))
+      obeyNonModal();
   }
-  if (is(NonModal, 40))
-    dwell();
-  setUnits();
-  setFeedAndSpeed();
-  setTool();
-  runSpindle();
-  setModes();
-  setLength();
-  if (code(Offset))
-    setOffset();
-  setPath();
-  if (code(NonModal) || code(MachineFrame))
-    obeyNonModal();
+  else
+    setFeedAndSpeed();
+  setPole();
   move();
   checkLeftOver();
-  if (is(Stop, 0) || is(Stop, 10))
+  return !code(Stop) || !stop();
+}
+
+void WordForm::readProgramNumber()
+{
+  block_.take('O');
+  if (started_)
+    fail('O', "O (subprogram) is not supported");
+}
+
+/// Whether the program ends.
+bool WordForm::stop()
+{
+  if (is(Stop, 0) || is(Stop, 10)) {
     pause();
-  else if (code(Stop))
-    machine_.end();
-  return !code(Stop) || is(Stop, 0) || is(Stop, 10);
+    return false;
+  }
+  machine_.end();
+  return true;
 }
 
 void WordForm::sortCodes()

@@ -37,6 +37,8 @@ protected:
   virtual void setPath() = 0;
   /// @brief Obeys the non-modal words, which may take the block's axes.
   virtual void obeyNonModal() = 0;
+  /// @brief Takes centres that stay for later blocks.
+  virtual void setPole() {}
   /// @brief The centre of an arc without R, along the plane's axes.
   virtual Eigen::Vector2d centre(PlaneAxes axes, int column) const;
   /// @brief Before a feed move that starts at @p column of the block.
@@ -81,6 +83,8 @@ protected:
 
 private:
   bool execute();
+  void readProgramNumber();
+  bool stop();
   void sortCodes();
   void sort(char letter, const Code& word, Group group);
   void setUnits();

@@ -2,11 +2,6 @@
 // Copyright (c) 2026, the PointMill authors
 #include "word_lexer.h"
 
-#include "codes.h"
-#include "number.h"
-
-#include <cstring>
-
 namespace pointmill::gcode {
 
 namespace {
@@ -70,8 +65,15 @@ const char* meaning(char c)
 
 } // namespace
 
-WordLexer::WordLexer(ProgramForm form) : form_(form), letters_(lettersOf(form))
+WordLexer::WordLexer(ProgramForm form) : form_(form)
 {
+  for (const char* letter = lettersOf(form); *letter; ++letter)
+    letters_ |= 1u << (*letter - 'A');
+}
+
+bool WordLexer::isKnown(char letter) const
+{
+  return letter >= 'A' && letter <= 'Z' && ((letters_ >> (letter - 'A')) & 1u);
 }
 
 void WordLexer::fail(const char* at, const std::string& what) const
@@ -136,46 +138,61 @@ void WordLexer::readEndOfBlock()
     fail(p_, shown(*p_) + " behind the end of the block");
 }
 
-double WordLexer::number(const char* word, const std::string& name)
-{
-  const Number n = scanNumber(p_, end_);
-  p_ = n.end;
-  switch (n.state) {
-  case Number::State::Good:
-    return n.value;
-  case Number::State::TooLong:
-    fail(word, name + " has more than 17 digits");
-  default:
-    const char* const why = p_ != end_ ? meaning(*p_) : "";
-    if (*why)
-      fail(p_, shown(*p_) + why + " is not supported");
-    fail(word, name + " has no number");
-  }
-}
-
 void WordLexer::readWord()
 {
   const char* const word = p_++;
   const char letter = upper(*word);
-  if (!isLetter(letter))
-    fail(word, shown(*word) + meaning(*word) + " is not supported");
   const bool code = letter == 'G' || letter == 'M';
-  const std::string name(1, letter);
-  if (!code && !std::strchr(letters_, letter))
-    fail(word, name + " (" + unsupported(letter) + ") is not supported");
-  if (letter == 'O') {
-    // LinuxCNC's subroutines have a name, or a word behind the number.
-    const Number n = scanNumber(p_, end_);
-    if (n.state != Number::State::Good || (n.end != end_ && isLetter(*n.end)))
-      fail(word, name + " (" + unsupported(letter) + ") is not supported");
-  }
-  const double value = number(word, name);
+  if (!code && !isKnown(letter))
+    refuseLetter(word);
+  if (letter == 'O')
+    checkProgramNumber(word);
+  const double value = number(word);
   if (block_->isPercent())
     block_->fail(block_->percentColumn(), "'%' must stand alone");
   if (code)
     block_->addCode(letter, value, columnOf(word));
   else
     block_->addWord(letter, value, columnOf(word));
+}
+
+void WordLexer::refuseLetter(const char* word) const
+{
+  if (!isLetter(*word))
+    fail(word, shown(*word) + meaning(*word) + " is not supported");
+  const char letter = upper(*word);
+  fail(word,
+       std::string(1, letter) + " (" + unsupported(letter) + ") is not supported");
+}
+
+/// LinuxCNC's subroutines have a name, or a word behind the number.
+void WordLexer::checkProgramNumber(const char* word) const
+{
+  const Number n = scanNumber(p_, end_);
+  if (n.state != Number::State::Good || (n.end != end_ && isLetter(*n.end)))
+    refuseLetter(word);
+}
+
+double WordLexer::number(const char* word)
+{
+  const Number n = scanNumber(p_, end_);
+  p_ = n.end;
+  if (n.state != Number::State::Good)
+    refuseNumber(word, n);
+  return n.value;
+}
+
+void WordLexer::refuseNumber(const char* word, const Number& n) const
+{
+  std::string name;
+  for (const char* c = word; c != end_ && (isLetter(*c) || c == word); ++c)
+    name += upper(*c);
+  if (n.state == Number::State::TooLong)
+    fail(word, name + " has more than 17 digits");
+  const char* const why = n.end != end_ ? meaning(*n.end) : "";
+  if (*why)
+    fail(n.end, shown(*n.end) + why + " is not supported");
+  fail(word, name + " has no number");
 }
 
 } // namespace pointmill::gcode

@@ -3,10 +3,12 @@
 #pragma once
 
 #include "block.h"
+#include "number.h"
 
 #include <pointmill/gcode/gcode_reader.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -29,7 +31,12 @@ private:
   void readComment();
   void readEndOfBlock();
   void readWord();
-  double number(const char* word, const std::string& name);
+  bool isKnown(char letter) const;
+  [[noreturn]] void refuseLetter(const char* word) const;
+  void checkProgramNumber(const char* word) const;
+  /// The number at @ref p_ of the word that begins at @p word.
+  double number(const char* word);
+  [[noreturn]] void refuseNumber(const char* word, const Number& n) const;
 
   // Siemens; in siemens_words.cpp.
   bool readName();
@@ -37,7 +44,7 @@ private:
   void readCall(const std::string& name, const char* at);
 
   const ProgramForm form_;
-  const char* letters_;
+  std::uint32_t letters_ = 0; // that may begin a word, besides G and M
   const char *begin_ = nullptr, *end_ = nullptr, *p_ = nullptr;
   Block* block_ = nullptr;
 };

@@ -8,6 +8,7 @@
 #include <functional>
 #include <iosfwd>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace pointmill {
@@ -54,6 +55,11 @@ enum class ProgramForm {
   HeidenhainIso, ///< DIN/ISO on a TNC
   Klartext       ///< Heidenhain's conversational form
 };
+
+/// @brief The form of a program of which @p text is the beginning, or all: where only
+/// one form begins so, or has a word that stands there. A comment that names Grbl is
+/// one of its; everything else is Rs274.
+ProgramForm formOf(std::string_view text);
 
 /// @brief What a program does.
 struct Program {
