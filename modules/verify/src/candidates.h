@@ -33,6 +33,13 @@ public:
     std::make_heap(heap_.begin(), heap_.end(), later);
   }
 
+  /// @brief Adds one to those in order.
+  void push(double bound, std::size_t id)
+  {
+    add(bound, id);
+    std::push_heap(heap_.begin(), heap_.end(), later);
+  }
+
   bool empty() const { return heap_.empty(); }
   const Candidate& best() const { return heap_.front(); }
   Candidate take()

@@ -35,13 +35,13 @@ StockEvents cutAll(StockField& field,
   std::map<const Tool*, SimulatedTool> tools;
   for (const auto& m : moves)
     tools.try_emplace(m.tool, *m.tool, limits.tolerance);
-  const double top = field.stock().top();
-  const Bands bands(
-      moves,
-      field.stock().min.y(),
-      kRowsPerBand * field.cellSize(),
-      count,
-      [&](const SweptMove& m) { return reachBelow(top, m, tools.at(m.tool)); });
+  const Stock& stock = field.stock();
+  Bands bands(stock.min.y(), kRowsPerBand * field.cellSize(), count);
+  for (std::size_t k = 0; k < moves.size(); ++k) {
+    const SweptMove& m = moves[k];
+    bands.add(
+        k, m.a.y(), m.b.y(), reachBelow(stock.top(), m, tools.at(m.tool)));
+  }
   std::vector<StockEvents> events(static_cast<std::size_t>(count),
                                   StockEvents(sections));
   parallelFor(events.size(), threads, [&](std::size_t band) {

@@ -34,14 +34,12 @@ struct SweptMove {
 /// order.
 class Bands {
 public:
-  /// @param y0 lower border of band 0; @param height of a band [mm]; @param reach how
-  /// far from its axis the tool matters on a move [mm]
-  Bands(const std::vector<SweptMove>& moves,
-        double y0,
-        double height,
-        int count,
-        const std::function<double(const SweptMove&)>& reach = radiusOf);
-  static double radiusOf(const SweptMove& m) { return m.tool->radius(); }
+  /// @param y0 lower border of band 0; @param height of a band [mm]
+  Bands(double y0, double height, int count);
+
+  /// @brief Adds number @p id, which matters between @p ya and @p yb and @p reach [mm]
+  /// beyond.
+  void add(std::size_t id, double ya, double yb, double reach);
 
   int count() const { return static_cast<int>(bands_.size()); }
   const std::vector<std::uint32_t>& operator[](std::size_t band) const
@@ -50,6 +48,7 @@ public:
   }
 
 private:
+  double y0_, height_;
   std::vector<std::vector<std::uint32_t>> bands_;
 };
 

@@ -2,7 +2,7 @@
 // Copyright (c) 2026, the PointMill authors
 #include "candidates.h"
 #include "moves.h"
-#include "sweep_range.h"
+#include "stretches.h"
 #include "tiles.h"
 
 #include <pointmill/common/parallel.h>
@@ -19,7 +19,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// Tiles of this part of the thinnest tool's radius: their bounds are tight, and they
 /// still hold points enough to be worth a bound for each move.
 constexpr double kTilesPerRadius = 3;
-/// Moves are dealt to blocks of as many tiles each way.
+/// Stretches are dealt to blocks of as many tiles each way.
 constexpr int kBlock = 2;
 
 /// The deepest that a point gets inside a tool; of equals the first in the program.
@@ -38,41 +38,46 @@ struct Deepest {
 /// Sweeps moves over tiles, for one thread.
 class TileSweep {
 public:
-  TileSweep(const std::vector<SweptMove>& moves, double tolerance)
-      : moves_(moves), tolerance_(tolerance)
+  TileSweep(const Stretches& stretches, double tolerance)
+      : stretches_(stretches), tolerance_(tolerance)
   {
   }
 
-  /// Sweeps the moves `near` over the tile, not in their order: first those that come
-  /// lowest, so that most others need not be looked at.
+  /// Sweeps the stretches `near` over the tile, not in their order: first those that
+  /// come lowest, so that most others need not be looked at.
   void sweep(const Tile& tile, const std::vector<std::uint32_t>& near)
   {
     height_.assign(tile.points.size(), std::numeric_limits<float>::infinity());
     gouged_.assign(tile.points.size(), 0);
     double limit = kInfinity;
     candidates_.clear();
-    for (const auto k : near) {
-      const SweptMove& m = moves_[k];
-      const HeightRange h =
-          sweptHeightRange(*m.tool, m.a, m.b, tile.x, tile.y, tile.radius);
+    for (const auto i : near) {
+      const HeightRange h = stretches_.range(i, tile.x, tile.y, tile.radius);
       if (h.low == kInfinity)
         continue;
-      candidates_.add(h.low, k);
+      candidates_.add(h.low, kStretch | i);
       limit = std::min(limit, h.high);
     }
     candidates_.order(std::max(limit, tile.top - shallow()));
     double roof = kInfinity; // no point's height is above it
     while (!candidates_.empty() && (candidates_.best().bound < roof ||
                                     tile.top - candidates_.best().bound >= shallow())) {
-      const auto [bound, k] = candidates_.take();
-      const SweptMove& m = moves_[k];
+      const auto [bound, id] = candidates_.take();
+      if (id & kStretch) {
+        expand(tile, id & ~kStretch);
+        continue;
+      }
+      bool met = false;
       for (std::size_t i = 0; i < tile.points.size(); ++i) {
         const auto& p = tile.points[i];
         if (matters(bound, i, p) &&
-            matters(sweptHeightRange(*m.tool, m.a, m.b, p.x, p.y, 0.0).low, i, p))
-          meet(p, i, k);
+            matters(stretches_.moveRange(id, p.x, p.y, 0.0).low, i, p)) {
+          meet(p, i, id);
+          met = true;
+        }
       }
-      roof = *std::max_element(height_.begin(), height_.end());
+      if (met)
+        roof = *std::max_element(height_.begin(), height_.end());
     }
     count_ += static_cast<std::size_t>(std::count(gouged_.begin(), gouged_.end(), 1));
   }
@@ -84,6 +89,20 @@ public:
   std::size_t gouged() const { return count_; }
 
 private:
+  /// Marks the candidates that are stretches, the others are moves.
+  static constexpr std::uint32_t kStretch = 1u << 31;
+
+  /// Puts the moves of a stretch among the candidates.
+  void expand(const Tile& tile, std::uint32_t i)
+  {
+    const Stretch& s = stretches_[i];
+    for (std::uint32_t k = s.first; k < s.last; ++k) {
+      const HeightRange h = stretches_.moveRange(k, tile.x, tile.y, tile.radius);
+      if (h.low != kInfinity)
+        candidates_.push(h.low, k);
+    }
+  }
+
   /// Points less deep inside a tool than this change nothing.
   double shallow() const { return std::min(tolerance_, deepest_.depth); }
 
@@ -95,20 +114,21 @@ private:
 
   void meet(const Tile::Point& p, std::size_t i, std::size_t k)
   {
-    const SweptMove& m = moves_[k];
-    const double h = sweptHeight(*m.tool, m.a, m.b, p.x, p.y);
+    const SweptMove& m = stretches_.move(k);
+    const CutterProfile& cutter = stretches_.cutter(k);
+    const double h = sweptHeight(cutter, m.a, m.b, p.x, p.y);
     if (h < height_[i])
       height_[i] = static_cast<float>(h);
     const double below = p.z - h; // at most as deep inside as below
     if (below > 0 && (below >= deepest_.depth || (below > tolerance_ && !gouged_[i]))) {
-      const double depth = penetration(*m.tool, m.a, m.b, {p.x, p.y, p.z});
+      const double depth = penetration(cutter, m.a, m.b, {p.x, p.y, p.z});
       gouged_[i] |= depth > tolerance_;
       if (depth > 0)
         deepest_.take({depth, k, p.index});
     }
   }
 
-  const std::vector<SweptMove>& moves_;
+  const Stretches& stretches_;
   double tolerance_;
   Candidates candidates_;
   std::vector<float> height_;
@@ -117,18 +137,18 @@ private:
   std::size_t count_ = 0;
 };
 
-/// Where in X the tool of a move can touch places with y0 <= y <= y1.
-std::pair<double, double> extentIn(const SweptMove& m, double y0, double y1)
+/// Where in X the tool can touch places with y0 <= y <= y1 on a stretch.
+std::pair<double, double> extentIn(const Stretch& s, double y0, double y1)
 {
-  const double r = m.tool->radius(), dy = m.b.y() - m.a.y();
+  const double r = s.cutter->radius() + s.aside, dy = s.b.y() - s.a.y();
   double first = 0, last = 1;
   if (std::abs(dy) > 1e-12) {
-    const double t0 = (y0 - r - m.a.y()) / dy, t1 = (y1 + r - m.a.y()) / dy;
+    const double t0 = (y0 - r - s.a.y()) / dy, t1 = (y1 + r - s.a.y()) / dy;
     first = std::clamp(std::min(t0, t1), 0.0, 1.0);
     last = std::clamp(std::max(t0, t1), 0.0, 1.0);
   }
-  const double dx = m.b.x() - m.a.x(), xa = m.a.x() + first * dx,
-               xb = m.a.x() + last * dx;
+  const double dx = s.b.x() - s.a.x(), xa = s.a.x() + first * dx,
+               xb = s.a.x() + last * dx;
   return {std::min(xa, xb) - r, std::max(xa, xb) + r};
 }
 
@@ -143,13 +163,15 @@ Gouges sweepPoints(const PointIndex& part,
   height.assign(part.size(), std::numeric_limits<float>::infinity());
   if (moves.empty())
     return {};
-  double thinnest = kInfinity;
-  for (const auto& m : moves)
-    thinnest = std::min(thinnest, m.tool->radius());
-  const Tiles tiles(part, thinnest / kTilesPerRadius);
+  const Stretches stretches(moves);
+  const Tiles tiles(part, stretches.thinnest() / kTilesPerRadius);
   const double edge = kBlock * tiles.edge();
   const int columns = (tiles.columns() + kBlock - 1) / kBlock;
-  const Bands bands(moves, part.min().y(), edge, (tiles.rows() + kBlock - 1) / kBlock);
+  Bands bands(part.min().y(), edge, (tiles.rows() + kBlock - 1) / kBlock);
+  for (std::size_t i = 0; i < stretches.size(); ++i) {
+    const Stretch& s = stretches[i];
+    bands.add(i, s.a.y(), s.b.y(), s.cutter->radius() + s.aside);
+  }
   struct Outcome {
     Deepest deepest;
     std::size_t gouged = 0;
@@ -164,12 +186,12 @@ Gouges sweepPoints(const PointIndex& part,
     };
     for (const auto k : bands[band]) {
       const double hair = 1e-3 * edge; // for points sorted in float32
-      const auto [x0, x1] = extentIn(moves[k], y0 - hair, y0 + edge + hair);
+      const auto [x0, x1] = extentIn(stretches[k], y0 - hair, y0 + edge + hair);
       const int last = std::min(columns - 1, columnOf(x1 + hair));
       for (int c = std::max(0, columnOf(x0 - hair)); c <= last; ++c)
         near[static_cast<std::size_t>(c)].push_back(k);
     }
-    TileSweep sweep(moves, tolerance);
+    TileSweep sweep(stretches, tolerance);
     Tile tile;
     const int row0 = static_cast<int>(band) * kBlock;
     for (int row = row0; row < std::min(tiles.rows(), row0 + kBlock); ++row)

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the PointMill authors
+#pragma once
+
+#include "moves.h"
+#include "sweep_range.h"
+
+#include <vector>
+
+namespace pointmill {
+
+/// @brief A few moves of a tool, one after the other, that are almost one: each of
+/// their places is as near as said to a place of the straight way from @p a to @p b.
+struct Stretch {
+  Eigen::Vector3d a, b;
+  const CutterProfile* cutter;
+  std::uint32_t first, last; ///< moves [first, last)
+  double aside, over;        ///< farthest from the straight way: in XY, along Z [mm]
+};
+
+/// @brief A program's moves in stretches, so that bounds are needed for few of them.
+class Stretches {
+public:
+  explicit Stretches(const std::vector<SweptMove>& moves);
+
+  std::size_t size() const { return stretches_.size(); }
+  const Stretch& operator[](std::size_t i) const { return stretches_[i]; }
+  const SweptMove& move(std::size_t k) const { return moves_[k]; }
+  const CutterProfile& cutter(std::size_t k) const { return *cutter_[k]; }
+  /// @brief Radius of the thinnest tool [mm].
+  double thinnest() const;
+
+  /// @brief Bounds of what the stretch's moves leave, as sweptHeightRange().
+  HeightRange range(std::size_t i, double x, double y, double radius) const;
+  /// @brief The same for one move.
+  HeightRange moveRange(std::size_t k, double x, double y, double radius) const
+  {
+    return sweptHeightRange(cutter(k), moves_[k].a, moves_[k].b, x, y, radius);
+  }
+
+private:
+  const std::vector<SweptMove>& moves_;
+  std::map<const Tool*, CutterProfile> profiles_;
+  std::vector<const CutterProfile*> cutter_; // by move
+  std::vector<Stretch> stretches_;
+};
+
+} // namespace pointmill
