@@ -29,9 +29,11 @@ struct Zoom {
 
 CellSheet::CellSheet(const Grid& grid,
                      const std::string& title,
-                     const ColourOf& colour_of)
-    : canvas_(std::max(Zoom(grid).size(grid.columns()) + 2 * kMargin, kNarrowest),
-              kHead + Zoom(grid).size(grid.rows()) + kFoot,
+                     const ColourOf& colour_of,
+                     int foot)
+    : foot_(foot),
+      canvas_(std::max(Zoom(grid).size(grid.columns()) + 2 * kMargin, kNarrowest),
+              kHead + Zoom(grid).size(grid.rows()) + foot,
               kPage)
 {
   const Zoom zoom(grid);

@@ -17,17 +17,23 @@ class CellSheet {
 public:
   using ColourOf = std::function<Rgb(const PointCell&)>;
 
-  CellSheet(const Grid& grid, const std::string& title, const ColourOf& colour_of);
+  /// @param foot room under the cells [px], whose first line begins with the scale bar
+  CellSheet(const Grid& grid,
+            const std::string& title,
+            const ColourOf& colour_of,
+            int foot = kFoot);
 
   Canvas& canvas() { return canvas_; }
   /// @brief Of the line under the cells, for a legend [px].
-  int footMiddle() const { return canvas_.height() - kFoot / 2; }
+  int footMiddle() const { return canvas_.height() - foot_ + kFoot / 2; }
+  int left() const { return kMargin; }
   int right() const { return canvas_.width() - kMargin; }
   static TextStyle text() { return {19, false, kInk}; }
 
 private:
   static constexpr int kMargin = 36, kHead = 84, kFoot = 72; // px
 
+  int foot_;
   Canvas canvas_;
 };
 

@@ -29,7 +29,7 @@ FindingList::FindingList(const FindingScene& scene, int width, int unit)
     entries_.push_back({i + 1,
                         mark.warning,
                         mark.code,
-                        mark.line ? "line " + std::to_string(mark.line) : "",
+                        mark.where,
                         wrapText(mark.text,
                                  column_width_ - kBadge * unit,
                                  all.size() > kFew ? 1 : 3,
@@ -78,10 +78,11 @@ void FindingList::draw(Canvas& canvas, const Rect& card) const
     }
     const int middle = y + unit_ * 3 / 2, beside = x + kBadge * unit_;
     drawBadge(canvas, x + unit_ * 3 / 2, middle, entry.number, entry.warning, unit_);
-    const int line_width = textWidth(entry.line, faint);
-    const int room = column_width_ - kBadge * unit_ - line_width - 2 * unit_;
+    const std::string where = fitText(entry.where, column_width_ / 2, faint);
+    const int where_width = textWidth(where, faint);
+    const int room = column_width_ - kBadge * unit_ - where_width - 2 * unit_;
     drawText(canvas, beside, middle, fitText(entry.code, room, code), code);
-    drawText(canvas, x + column_width_ - line_width, middle, entry.line, faint);
+    drawText(canvas, x + column_width_ - where_width, middle, where, faint);
     int row = middle + unit_ * 11 / 4;
     for (const auto& line : entry.text) {
       drawText(canvas, beside, row, line, text);

@@ -8,7 +8,7 @@
 
 namespace pointmill::visual {
 
-/// @brief The findings as a list: number, code, line of the program, and text.
+/// @brief The findings as a list: number, code, place in the program, and text.
 class FindingList {
 public:
   /// @param width of the list [px]; a wide one has two columns
@@ -21,7 +21,7 @@ private:
   struct Entry {
     std::size_t number;
     bool warning;
-    std::string code, line;
+    std::string code, where;
     std::vector<std::string> text;
   };
   int heightOf(const Entry& entry) const;

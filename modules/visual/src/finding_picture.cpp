@@ -26,7 +26,8 @@ bool hasPlace(const FindingMark& mark)
   return mark.place && mark.place->allFinite();
 }
 
-/// The findings that get a section: errors first, then the worst, each place once.
+/// The findings that get a section, in their order: errors rather than warnings, then
+/// the worst, each place once.
 std::vector<std::size_t> worstOf(const std::vector<FindingMark>& findings)
 {
   std::vector<std::size_t> order;
@@ -47,6 +48,7 @@ std::vector<std::size_t> worstOf(const std::vector<FindingMark>& findings)
     if (!known && chosen.size() < kSections)
       chosen.push_back(i);
   }
+  std::sort(chosen.begin(), chosen.end());
   return chosen;
 }
 
@@ -136,7 +138,7 @@ void writeFindings(const std::string& path, const FindingScene& scene, int width
   std::vector<Rect> places;
   for (std::size_t i = 0; i < sections.size(); ++i)
     places.push_back(cards.next());
-  const Key key = sectionKey(scene, cards.full_width, unit);
+  const Key key = sectionKey(scene, sections, cards.full_width, unit);
   FindingList list(scene, cards.card_width, unit);
   const bool beside = cards.isRowOpen() &&
                       list.height() <= (cards.count < 2 ? kFirstRow : kNextRow) * unit;

@@ -53,8 +53,8 @@ SectionPlane planeThrough(const Eigen::Vector2d& place, Eigen::Vector2d along)
   return {place,
           along,
           "from the place",
-          number(std::round(turn)) + " deg to X through X " + number(place.x()) +
-              " Y " + number(place.y())};
+          "at " + number(std::round(turn)) + " deg to X, through X " +
+              number(place.x()) + " Y " + number(place.y())};
 }
 
 } // namespace

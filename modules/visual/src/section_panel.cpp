@@ -230,11 +230,14 @@ private:
     const float h = 1.8f * unit;
     Eigen::Vector2f best = at;
     bool found = false;
-    for (const float away : {9.f, 12.f, 6.f})
-      for (const Eigen::Vector2f& way : {Eigen::Vector2f(across),
+    // Below it first: there is less to see in the material.
+    for (const float away : {6.f, 9.f, 4.f})
+      for (const Eigen::Vector2f& way : {Eigen::Vector2f(0.7f, 0.7f),
+                                         Eigen::Vector2f(-0.7f, 0.7f),
+                                         Eigen::Vector2f(across),
                                          Eigen::Vector2f(-across),
-                                         Eigen::Vector2f(0.8f, 0.6f),
-                                         Eigen::Vector2f(-0.8f, 0.6f)}) {
+                                         Eigen::Vector2f(0.7f, -0.7f),
+                                         Eigen::Vector2f(-0.7f, -0.7f)}) {
         const Eigen::Vector2f middle =
             at +
             Eigen::Vector2f(way.x() * (w + 0.4f * away * unit), way.y() * away * unit);
@@ -312,34 +315,45 @@ void drawSection(Canvas& canvas,
   const FindingMark& mark = section.mark();
   canvas.fillRound(card, static_cast<float>(unit) * 1.5f, kCard);
   const int left = card.x + 2 * unit, room = card.width - 4 * unit;
-  const int first = card.y + 3 * unit;
-  drawBadge(canvas, left + unit * 3 / 2, first, number, mark.warning, unit);
   const TextStyle code{unit * 5 / 2, true, kInk}, text{2 * unit, false, kInk},
       faint{2 * unit, false, kFaintInk};
-  const int beside = 4 * unit;
-  drawText(canvas, left + beside, first, fitText(mark.code, room - beside, code), code);
-  int y = first + 3 * unit;
+  int y = card.y + 3 * unit;
+  drawBadge(canvas, left + unit * 3 / 2, y, number, mark.warning, unit);
+  const std::string tool =
+      section.tool() ? fitText(section.tool()->describe(), room / 2, faint) : "";
+  const int beside = 4 * unit, tool_room = textWidth(tool, faint);
+  drawText(canvas, left + room - tool_room, y, tool, faint);
+  drawText(canvas,
+           left + beside,
+           y,
+           fitText(mark.code, room - beside - tool_room - 2 * unit, code),
+           code);
+  y += 3 * unit;
   for (const auto& row : wrapText(mark.text, room, 2, text)) {
     drawText(canvas, left, y, row, text);
     y += unit * 5 / 2;
   }
-  std::string how = "section " + section.plane().where;
-  if (section.tool())
-    how = section.tool()->describe() + ", " + how;
   char reach[48];
-  std::snprintf(reach, sizeof reach, ", points within %.2g mm of it", section.reach());
-  drawText(canvas, left, first + 8 * unit, fitText(how + reach, room, faint), faint);
-
+  std::snprintf(reach, sizeof reach, ", points within %.2g mm", section.reach());
+  drawText(canvas,
+           left,
+           y,
+           fitText("section " + section.plane().where + reach, room, faint),
+           faint);
+  y += 2 * unit;
   const Rect place{left + kTicksLeft * unit,
-                   first + 10 * unit,
+                   y,
                    room - kTicksLeft * unit,
-                   card.bottom() - first - (11 + kTicksBelow) * unit};
+                   card.bottom() - y - (1 + kTicksBelow) * unit};
   const Plan plan = planOf(section, place);
   Painter(canvas, plan, section, unit).run();
   drawTicks(canvas, plan, section.plane().axis, "Z", unit);
 }
 
-Key sectionKey(const FindingScene& scene, int room, int unit)
+Key sectionKey(const FindingScene& scene,
+               const std::vector<Section>& sections,
+               int room,
+               int unit)
 {
   const auto dot = [](const Rgb& colour) {
     return [colour](Canvas& canvas, const Rect& r) {
@@ -351,27 +365,25 @@ Key sectionKey(const FindingScene& scene, int room, int unit)
       }
     };
   };
+  const auto anyTool = [&](const auto& has) {
+    return std::any_of(sections.begin(), sections.end(), [&](const Section& section) {
+      return section.tip() && has(*section.tool());
+    });
+  };
   std::vector<Key::Item> items;
   if (scene.part) {
     items.push_back({"points of the part", 3 * unit, dot(kPartPoint)});
-    items.push_back({"points inside the tool", 3 * unit, dot(kGougedPoint)});
+    if (anyTool([](const Tool&) { return true; }))
+      items.push_back({"points inside the tool", 3 * unit, dot(kGougedPoint)});
   }
   if (scene.milled)
     items.push_back({"left of the stock", 2 * unit, paintBox(kMaterial)});
-  const bool has_holder =
-      std::any_of(scene.tools.begin(), scene.tools.end(), [](const Tool& t) {
-        return t.holder_diameter > 0;
-      });
-  const bool has_shank =
-      std::any_of(scene.tools.begin(), scene.tools.end(), [](const Tool& t) {
-        return t.shank_diameter > 0;
-      });
   const auto sheer = [](const Rgb& colour) { return mix(kPage, colour, kSheer); };
-  if (!scene.tools.empty())
+  if (anyTool([](const Tool&) { return true; }))
     items.push_back({"tool", 2 * unit, paintBox(sheer(kCutter))});
-  if (has_shank)
+  if (anyTool([](const Tool& t) { return t.shank_diameter > 0; }))
     items.push_back({"shank", 2 * unit, paintBox(sheer(kShank))});
-  if (has_holder)
+  if (anyTool([](const Tool& t) { return t.holder_diameter > 0; }))
     items.push_back({"holder", 2 * unit, paintBox(sheer(kHolder))});
   if (((scene.stock.max - scene.stock.min).array() > 0).all())
     items.push_back({"raw stock", 4 * unit, [unit](Canvas& canvas, const Rect& r) {

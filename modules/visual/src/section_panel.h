@@ -16,7 +16,10 @@ void drawSection(Canvas& canvas,
                  std::size_t number,
                  int unit);
 
-/// @brief Says what the colours of sections mean.
-Key sectionKey(const FindingScene& scene, int room, int unit);
+/// @brief Says what the colours of these sections mean.
+Key sectionKey(const FindingScene& scene,
+               const std::vector<Section>& sections,
+               int room,
+               int unit);
 
 } // namespace pointmill::visual

@@ -20,9 +20,12 @@ struct FindingMark {
   std::string code; ///< "gouge", "rapid_in_stock", ...
   std::string text; ///< one sentence for people
   bool warning = false;
-  std::size_t line = 0;                 ///< of the program; 0: none
-  int tool = 0;                         ///< number of one of the scene's tools; 0: none
-  double worst = 0;                     ///< how bad it is, for the order [mm]
+  std::string where; ///< in the program, "line 12", as Program::where() says it
+  int tool = 0;      ///< number of one of the scene's tools; 0: none
+  /// The depth that it was found with, where it is a length [mm]: decides which
+  /// findings get a section, and whether that shows the depth along the normal or
+  /// straight down.
+  double worst = 0;
   std::optional<Eigen::Vector3d> place; ///< of the part or stock; none: list only
   /// The tool's tip where it is worst. Where there is none, it stands on `move` where
   /// it is deepest in `place`; without both no tool is drawn.

@@ -1,0 +1,268 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the PointMill authors
+#include "cell_sheet.h"
+#include "cloud_extent.h"
+#include "deviation_scale.h"
+#include "png.h"
+#include "ruler.h"
+
+#include <pointmill/common/error.h>
+#include <pointmill/common/parameters.h>
+#include <pointmill/visual/deviation_picture.h>
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+namespace pointmill {
+namespace {
+
+using namespace visual;
+using Points = pcl::PointCloud<pcl::PointXYZI>;
+
+constexpr int kFinest = 1400; ///< cells along the longer side, at most
+constexpr int kFoot = 200;    ///< px
+constexpr int kBins = 60;     ///< of the histogram
+
+bool hasPlace(const pcl::PointXYZI& p)
+{
+  return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
+}
+
+std::string text(const char* format, double value)
+{
+  char buffer[64];
+  std::snprintf(buffer, sizeof buffer, format, value);
+  return buffer;
+}
+
+/// An empty map of square cells over a box, each at its centre.
+CellCloud mapOver(const Eigen::AlignedBox3d& box, double cell)
+{
+  const auto count = [&](int axis) {
+    return std::max(2, static_cast<int>(std::ceil(box.sizes()[axis] / cell)));
+  };
+  CellCloud map;
+  map.width = count(0);
+  map.height = count(1);
+  map.resize(std::size_t(map.width) * map.height);
+  map.width = count(0); // resize() made a row of it
+  map.height = count(1);
+  for (std::uint32_t r = 0; r < map.height; ++r)
+    for (std::uint32_t c = 0; c < map.width; ++c) {
+      map.at(c, r).x = static_cast<float>(box.min().x() + (c + 0.5) * cell);
+      map.at(c, r).y = static_cast<float>(box.min().y() + (r + 0.5) * cell);
+    }
+  return map;
+}
+
+template <typename Body>
+void eachPoint(const Points& points,
+               const Eigen::AlignedBox3d& box,
+               double cell,
+               CellCloud& map,
+               const Body& body)
+{
+  const auto index = [&](double value, double low, std::uint32_t count) {
+    return std::min(static_cast<std::uint32_t>((value - low) / cell), count - 1);
+  };
+  for (const auto& p : points)
+    if (hasPlace(p))
+      body(map.at(index(p.x, box.min().x(), map.width),
+                  index(p.y, box.min().y(), map.height)),
+           p);
+}
+
+/// Edge of a cell that nearly always holds a point where there is part [mm].
+double cellFor(const Points& points, const Eigen::AlignedBox3d& box)
+{
+  constexpr int coarse = 100;
+  const double longer = box.sizes().head<2>().maxCoeff(), edge = longer / coarse;
+  CellCloud map = mapOver(box, edge);
+  std::size_t count = 0, covered = 0;
+  eachPoint(points, box, edge, map, [&](PointCell& cell, const pcl::PointXYZI&) {
+    ++count;
+    covered += cell.count++ == 0;
+  });
+  const double area = static_cast<double>(covered) * edge * edge;
+  return std::max(1.5 * std::sqrt(area / static_cast<double>(count)), longer / kFinest);
+}
+
+/// The deviation that is farthest off in each cell, NaN where no tool came; `count`
+/// tells these from cells without a point.
+CellCloud mapOf(const Points& points, const Eigen::AlignedBox3d& box, double edge)
+{
+  CellCloud map = mapOver(box, edge);
+  eachPoint(points, box, edge, map, [](PointCell& cell, const pcl::PointXYZI& p) {
+    ++cell.count;
+    if (!std::isnan(p.intensity) && !(std::abs(p.intensity) <= std::abs(cell.z)))
+      cell.z = p.intensity;
+  });
+  return map;
+}
+
+/// Cells that just missed the points around them take the mean of their neighbours.
+CellCloud closed(const CellCloud& map)
+{
+  CellCloud out = map;
+  for (std::uint32_t r = 1; r + 1 < map.height; ++r)
+    for (std::uint32_t c = 1; c + 1 < map.width; ++c) {
+      if (map.at(c, r).count > 0)
+        continue;
+      int full = 0, known = 0;
+      double sum = 0;
+      for (int j = -1; j <= 1; ++j)
+        for (int i = -1; i <= 1; ++i) {
+          const PointCell& near = map.at(c + i, r + j);
+          full += near.count > 0;
+          if (near.count > 0 && std::isfinite(near.z)) {
+            sum += near.z;
+            ++known;
+          }
+        }
+      if (full >= 5) {
+        out.at(c, r).count = 1;
+        out.at(c, r).z = known ? static_cast<float>(sum / known) : out.at(c, r).z;
+      }
+    }
+  return out;
+}
+
+struct Figures {
+  explicit Figures(const Points& points, double tolerance)
+  {
+    std::vector<float> sizes;
+    for (const auto& p : points) {
+      if (!hasPlace(p))
+        continue;
+      ++all;
+      if (!std::isfinite(p.intensity))
+        continue;
+      sizes.push_back(std::abs(p.intensity));
+      low = std::min<double>(low, p.intensity);
+      high = std::max<double>(high, p.intensity);
+      kept += std::abs(static_cast<double>(p.intensity)) <= tolerance;
+    }
+    cut = sizes.size();
+    if (cut == 0)
+      return;
+    const std::size_t nearly_all = (cut - 1) * 99 / 100;
+    std::nth_element(sizes.begin(), sizes.begin() + nearly_all, sizes.end());
+    most = sizes[nearly_all];
+  }
+  static std::string share(std::size_t part, std::size_t of)
+  {
+    return text("%.1f %%", 100.0 * static_cast<double>(part) / static_cast<double>(of));
+  }
+
+  std::size_t all = 0, cut = 0, kept = 0;
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  double most = 0; ///< that 99 of 100 are at most off [mm]
+};
+
+/// A round length that is at least @p length.
+double roundUp(double length)
+{
+  for (const double more : {1.0, 2.0, 2.5})
+    if (niceLength(length * more) >= length)
+      return niceLength(length * more);
+  return length;
+}
+
+/// Histogram and bar of the colours, in a rectangle.
+void drawScale(Canvas& canvas,
+               const Rect& r,
+               const Points& points,
+               const DeviationScale& scale)
+{
+  std::array<std::size_t, kBins> bins{};
+  const auto share = [&](double deviation) { // 0 .. 1 along the bar
+    return std::clamp(0.5 + 0.5 * deviation / scale.range, 0.0, 1.0);
+  };
+  for (const auto& p : points)
+    if (hasPlace(p) && std::isfinite(p.intensity))
+      ++bins[std::min(kBins - 1, static_cast<int>(share(p.intensity) * kBins))];
+  const std::size_t highest = *std::max_element(bins.begin(), bins.end());
+  constexpr int bar = 18, room = 34; // px, of the bar and of the numbers under it
+  const int top = r.bottom() - room - bar;
+  for (int x = 0; x < r.width; ++x) {
+    const double at = (x + 0.5) / r.width;
+    const Rgb colour = scale.at((2 * at - 1) * scale.range);
+    canvas.fill({r.x + x, top, 1, bar}, colour);
+    const std::size_t count = bins[std::min(kBins - 1, static_cast<int>(at * kBins))];
+    const int height = static_cast<int>(
+        std::ceil(static_cast<double>(top - r.y - 4) * static_cast<double>(count) /
+                  static_cast<double>(std::max<std::size_t>(highest, 1))));
+    canvas.fill({r.x + x, top - 4 - height, 1, height}, mix(colour, kInk, 0.12f));
+  }
+  const TextStyle style{16, false, kInk};
+  const auto mark = [&](double deviation, const std::string& label) {
+    const int x = r.x + static_cast<int>(std::lround(share(deviation) * r.width));
+    canvas.fill({x - 1, top - 3, 2, bar + 9}, kInk);
+    drawText(canvas, x - textWidth(label, style) / 2, top + bar + 18, label, style);
+  };
+  mark(0, "0");
+  mark(-scale.tolerance, text("%.3g", -scale.tolerance));
+  mark(scale.tolerance, text("+%.3g", scale.tolerance));
+  mark(-scale.range, text("%.3g", -scale.range));
+  mark(scale.range, text("+%.3g mm", scale.range));
+}
+
+} // namespace
+
+void writeDeviation(const std::string& path,
+                    const pcl::PointCloud<pcl::PointXYZI>& deviation,
+                    double tolerance,
+                    const std::string& title)
+{
+  checkRange("picture of the deviation", "tolerance", tolerance, "mm", {1e-4, 10});
+  const Eigen::AlignedBox3d box = boxOf(deviation);
+  if (box.isEmpty() || !(box.sizes().head<2>().minCoeff() > 0))
+    throw DataError("the deviation has no points that span an area");
+  const Figures figures(deviation, tolerance);
+  const DeviationScale scale{
+      tolerance, std::clamp(roundUp(figures.most), 4 * tolerance, 10 * tolerance)};
+  const CellCloud map = closed(mapOf(deviation, box, cellFor(deviation, box)));
+  const Grid grid(map, "the map of the deviation");
+  CellSheet sheet(
+      grid,
+      title,
+      [&](const PointCell& cell) {
+        return cell.count == 0      ? kPage
+               : std::isnan(cell.z) ? kNeverCut
+                                    : scale.at(cell.z);
+      },
+      kFoot);
+
+  Canvas& canvas = sheet.canvas();
+  const TextStyle style = CellSheet::text();
+  const int x = sheet.left(), first = sheet.footMiddle();
+  constexpr int line = 32; // px
+  if (figures.cut > 0) {
+    drawText(canvas,
+             x,
+             first + line,
+             Figures::share(figures.kept, figures.cut) +
+                 text(" within %.3g mm", tolerance),
+             style);
+    drawText(canvas,
+             x,
+             first + 2 * line,
+             text("from %+.3f", figures.low) + text(" to %+.3f mm", figures.high),
+             style);
+  }
+  canvas.fill({x, first + 3 * line - 9, 18, 18}, kNeverCut);
+  drawText(canvas,
+           x + 28,
+           first + 3 * line,
+           "no tool came: " + Figures::share(figures.all - figures.cut, figures.all),
+           style);
+  constexpr int width = 440, end = 40; // px; half of the last number reaches over it
+  drawScale(canvas,
+            {sheet.right() - width - end, first - 16, width, kFoot - 30},
+            deviation,
+            scale);
+  writePng(path, canvas);
+}
+
+} // namespace pointmill
