@@ -38,13 +38,22 @@ CLI::App* declareCheck(CLI::App& app, CheckCommand& command)
   check->add_option("--post", command.post, "control it is written for: " + postHelp())
       ->type_name("POST")
       ->default_str("the job's");
-  check->add_option("--tool", command.mounted, "number of the tool that is in the spindle at the start")
+  check
+      ->add_option("--tool",
+                   command.mounted,
+                   "number of the tool that is in the spindle at the start")
       ->type_name("N");
   check->add_option("--picture", command.picture, "write a picture of the findings")
       ->type_name("PNG");
-  check->add_option("--deviation", command.deviation, "write what is left over each point of the scan as a cloud (intensity, mm)")
+  check
+      ->add_option(
+          "--deviation",
+          command.deviation,
+          "write what is left over each point of the scan as a cloud (intensity, mm)")
       ->type_name("PCD");
-  check->add_option("--milled", command.milled, "write what the program leaves of the stock")
+  check
+      ->add_option(
+          "--milled", command.milled, "write what the program leaves of the stock")
       ->type_name("PLY|STL|PCD");
   check->add_flag("-q,--quiet", command.quiet, "print nothing but errors");
   return check;

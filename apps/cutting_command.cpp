@@ -78,7 +78,9 @@ held(const CuttingData& data, std::initializer_list<CutLimit> limits, std::strin
   return text;
 }
 
-void print(const CuttingCommand& command, const CutSetting& cut, const CuttingData& data)
+void print(const CuttingCommand& command,
+           const CutSetting& cut,
+           const CuttingData& data)
 {
   const Cutting set = data.cutting();
   std::cout << cut.material.name << ", " << cut.tool.describe().substr(3) << ", "

@@ -21,8 +21,14 @@ void declareMachine(CLI::App& mill, MillCommand& command)
   add("--rapid-rate", machine.rapid_rate, "MM/MIN", "speed of G0");
   add("--acceleration", machine.acceleration, "MM/S2", "for the time estimate");
   add("--max-feed", machine.max_feed, "MM/MIN", "no feed is faster; 0: not known");
-  add("--min-spindle", machine.min_spindle, "RPM", "slowest spindle speed; 0: not known");
-  add("--max-spindle", machine.max_spindle, "RPM", "fastest spindle speed; 0: not known");
+  add("--min-spindle",
+      machine.min_spindle,
+      "RPM",
+      "slowest spindle speed; 0: not known");
+  add("--max-spindle",
+      machine.max_spindle,
+      "RPM",
+      "fastest spindle speed; 0: not known");
   add("--power", machine.power, "W", "of the spindle, for --material; 0: not known");
   mill.add_option("--travel", command.travel, "where the tip may be, in the part frame")
       ->type_name("X0 Y0 Z0 X1 Y1 Z1")

@@ -48,7 +48,8 @@ void declareProgram(CLI::App& mill, MillCommand& command)
       {{"machine", Retract::Machine},
        {"home", Retract::Home},
        {"clearance", Retract::Clearance}},
-      "where the tool goes for tool changes and at the end: the top of the machine, its "
+      "where the tool goes for tool changes and at the end: the top of the machine, "
+      "its "
       "reference point, or no higher than the clearance plane")
       ->default_str("the post's")
       ->group(kGroup);

@@ -16,7 +16,8 @@ struct ToolOptions {
 
   std::string name; ///< the options' common beginning, as "finish", or none
   std::optional<std::string> type;
-  std::optional<double> diameter, corner, taper, tip, flute_length, shank, stick_out, holder;
+  std::optional<double> diameter, corner, taper, tip, flute_length, shank, stick_out,
+      holder;
   std::optional<int> flutes;
 
   /// @brief What the option is called that ends with @p ending, as "-type".

@@ -115,7 +115,7 @@ TEST(CuttingData, ThinChipsAreMadeUpForOnlySoFar)
   EXPECT_DOUBLE_EQ(data.feed_per_tooth, 3 * 0.05);
   EXPECT_NEAR(data.max_chip, 3 * 0.05 * 2 * std::sqrt(0.01 * 0.99), 1e-12);
   EXPECT_EQ(data.limits, std::vector<CutLimit>{CutLimit::Thinning});
-  Cut free = sideCut(0.1);
+  CutSetting free = sideCut(0.1);
   free.max_thinning = 10;
   EXPECT_NEAR(
       cuttingData(free).feed_per_tooth, 0.05 / (2 * std::sqrt(0.01 * 0.99)), 1e-12);
@@ -123,7 +123,7 @@ TEST(CuttingData, ThinChipsAreMadeUpForOnlySoFar)
 
 TEST(CuttingData, FinishingMarksAreNoCoarserAlongTheFeedThanAcross)
 {
-  Cut cut = cutOf("softwood", Tool::ball(1, 6));
+  CutSetting cut = cutOf("softwood", Tool::ball(1, 6));
   cut.depth = cut.width = 0.1;
   cut.chip_load = 0.1;
   EXPECT_GT(cuttingData(cut).feed_per_tooth, 0.2);

@@ -77,7 +77,8 @@ TEST(MillJob, WritesIntoADirectoryThatIsThereAndKeepsWhatIsInIt)
   job.plan(data("dome.pcd"));
   for (const char* name : {"a/nc", "a/nc/", "b/c/d"}) {
     job.write((folder / name).string());
-    EXPECT_TRUE(contents(folder / name / "program.ngc") == job.programs().front().text) << name;
+    EXPECT_TRUE(contents(folder / name / "program.ngc") == job.programs().front().text)
+        << name;
   }
   EXPECT_EQ(contents(folder / "a/nc/notes.txt"), "mine");
   for (const auto& entry : fs::recursive_directory_iterator(folder / ""))

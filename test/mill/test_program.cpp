@@ -109,7 +109,8 @@ TEST(MillProgram, InManyFilesItIsTheSameCut)
         << program.name;
   for (const MillJob* job : {&tools, &many}) {
     EXPECT_TRUE(job->verification().good());
-    EXPECT_NEAR(job->verification().residual.p99, one.verification().residual.p99, 1e-3);
+    EXPECT_NEAR(
+        job->verification().residual.p99, one.verification().residual.p99, 1e-3);
     EXPECT_NEAR(job->verification().gouge, one.verification().gouge, 1e-3);
     EXPECT_EQ(job->judgement().program.files.size(), job->programs().size());
   }

@@ -140,8 +140,11 @@ void follow(CuttingData& data, const CutSetting& cut, const Edge& edge)
 }
 
 /// Brings the feed down to @p share for @p limit.
-void hold(
-    CuttingData& data, const CutSetting& cut, const Edge& edge, double share, CutLimit limit)
+void hold(CuttingData& data,
+          const CutSetting& cut,
+          const Edge& edge,
+          double share,
+          CutLimit limit)
 {
   data.feed_per_tooth *= share;
   follow(data, cut, edge);

@@ -124,15 +124,16 @@ void MillJob::writeProgram(const std::vector<std::string>& remarks)
   }
   std::vector<std::pair<std::string, std::ostringstream>> files;
   files.reserve(kMostFiles); // the writer holds on to the streams
-  program_figures_ = writer.write(operations, [&](const std::string& suffix) -> auto& {
-    if (files.size() == kMostFiles)
-      throw DataError("the program would be of more than " +
-                      std::to_string(kMostFiles) + " files: --max-lines");
-    files.emplace_back("program" + suffix + "." + writer.getPost().extension,
-                       std::ostringstream());
-    files.back().second.imbue(std::locale::classic());
-    return files.back().second;
-  });
+  program_figures_ = writer.write(
+      operations, [&](const std::string& suffix) -> auto& {
+        if (files.size() == kMostFiles)
+          throw DataError("the program would be of more than " +
+                          std::to_string(kMostFiles) + " files: --max-lines");
+        files.emplace_back("program" + suffix + "." + writer.getPost().extension,
+                           std::ostringstream());
+        files.back().second.imbue(std::locale::classic());
+        return files.back().second;
+      });
   programs_.clear();
   for (auto& [name, text] : files)
     programs_.push_back({name, text.str()});

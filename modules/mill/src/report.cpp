@@ -240,7 +240,7 @@ std::string reportJson(const MillJob& job, const std::string& scan_name)
     report["tools"].push_back(json::of(tool));
   report["tolerance"] = {{"total_mm", o.tolerance},
                          {"chord_mm", budget.chord},
-                       {"arcs_mm", budget.arcs},
+                         {"arcs_mm", budget.arcs},
                          {"control_blend_mm", budget.blend},
                          {"rounding_mm", budget.rounding},
                          {"scallop_mm", o.scallop},

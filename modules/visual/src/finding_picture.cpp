@@ -18,7 +18,7 @@ using namespace visual;
 
 constexpr int kUnits = 200; ///< to the picture's width; all sizes follow
 constexpr int kMargin = 3, kBetween = 2, kTitle = 8; ///< units
-constexpr int kFirstRow = 78, kNextRow = 66;     ///< heights of cards [units]
+constexpr int kFirstRow = 78, kNextRow = 66;         ///< heights of cards [units]
 constexpr std::size_t kSections = 3;
 
 bool hasPlace(const FindingMark& mark)

@@ -86,11 +86,11 @@ struct CuttingData {
 ///     Q  = ap ae vf / 1000,  Pc = Q kc / 60,  Mc = 60 Pc / (2 pi n)
 ///
 /// where hex is the chip load, the thickest chip that is wanted, and `sin km` is the
-/// depth by the length of the engaged edge. fz is at most CutSetting::max_thinning times the
-/// chip load, and in finishing with a rounded end no more than the step-over ae, so
-/// that its marks along the feed are no higher than those across. Spindle speed, feed
-/// and power are kept within what the machine is known to do, the latter two by a lower
-/// feed.
+/// depth by the length of the engaged edge. fz is at most CutSetting::max_thinning
+/// times the chip load, and in finishing with a rounded end no more than the step-over
+/// ae, so that its marks along the feed are no higher than those across. Spindle speed,
+/// feed and power are kept within what the machine is known to do, the latter two by a
+/// lower feed.
 ///
 /// Sources: Sandvik Coromant, Milling formulas and definitions (vc, fz, hex, hm, kc,
 /// Pc, Mc, De of round tools); O. Kienzle, Die Bestimmung von Kraeften und Leistungen

@@ -30,13 +30,12 @@ struct ProgramStream {
 /// @brief Opens files, in the order of machining. @throws DataError
 std::vector<ProgramStream> openPrograms(const std::vector<std::string>& paths);
 
-/// @brief Reads a program of one file or several, as the criteria say it is spelled, and
-/// judges it.
+/// @brief Reads a program of one file or several, as the criteria say it is spelled,
+/// and judges it.
 /// @param mounted tool that is in the spindle at the start; 0: not known
 /// @throws DataError where it cannot be read
-Judgement judge(std::vector<ProgramStream> files,
-                const Criteria& criteria,
-                int mounted = 0);
+Judgement
+judge(std::vector<ProgramStream> files, const Criteria& criteria, int mounted = 0);
 
 /// @brief What was found, a line each: severity, code, what it is, and where.
 std::vector<std::string> findingLines(const Verification& verification,
