@@ -4,7 +4,9 @@
 
 #include <pointmill/common/error.h>
 
+#include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <iomanip>
 #include <iostream>
 #include <sstream>
@@ -24,6 +26,12 @@ std::string number(double value)
   text.imbue(std::locale::classic());
   text << std::fixed << std::setprecision(std::min(6, std::max(0, 2 - whole))) << value;
   return text.str();
+}
+
+/// Cutting::spindle and feeds are whole where they are not tiny.
+std::string whole(double value)
+{
+  return value >= 1 ? std::to_string(std::lround(value)) : number(value);
 }
 
 std::string timeText(double seconds)
@@ -59,12 +67,14 @@ void printList()
               << '\n';
 }
 
-/// The value with what it would be without the machine's and other limits.
-std::string held(const CuttingData& data, CutLimit limit, const std::string& text)
+/// The value with what held it back, if one of these did.
+std::string
+held(const CuttingData& data, std::initializer_list<CutLimit> limits, std::string text)
 {
-  for (const CutLimit l : data.limits)
-    if (l == limit)
-      return text + "  <- " + nameOf(l);
+  for (const CutLimit limit : limits)
+    if (std::count(data.limits.begin(), data.limits.end(), limit) > 0)
+      text +=
+          std::string(text.find("<-") == text.npos ? "  <- " : ", ") + nameOf(limit);
   return text;
 }
 
@@ -81,18 +91,20 @@ void print(const CuttingCommand& command,
   row("width of cut ae", number(data.width) + " mm");
   row("effective diameter", number(data.effective_diameter) + " mm");
   row("surface speed vc", number(data.surface_speed) + " m/min");
-  const std::string n = number(set.spindle) + " rev/min";
   row("spindle speed n",
-      held(data, CutLimit::MinSpindle, held(data, CutLimit::MaxSpindle, n)));
-  row("feed per tooth fz",
-      held(data, CutLimit::Thinning, number(data.feed_per_tooth) + " mm"));
-  row("feed vf",
       held(data,
-           CutLimit::Power,
-           held(data, CutLimit::MaxFeed, number(set.feed) + " mm/min")));
-  row("plunge feed", number(set.plunge_feed) + " mm/min");
+           {CutLimit::MinSpindle, CutLimit::MaxSpindle},
+           whole(set.spindle) + " rev/min"));
+  row("feed per tooth fz",
+      held(data,
+           {CutLimit::Thinning, CutLimit::StepOver},
+           number(data.feed_per_tooth) + " mm"));
+  row("feed vf",
+      held(data, {CutLimit::MaxFeed, CutLimit::Power}, whole(set.feed) + " mm/min"));
+  row("plunge feed", whole(set.plunge_feed) + " mm/min");
   row("thickest chip",
-      number(data.max_chip) + " mm of " + number(data.chip_load) + " mm wanted");
+      number(data.max_chip) + " mm of " + number(data.chip_load) + " mm wanted" +
+          (data.rubs() ? "  <- it rubs" : ""));
   row("mean chip hm", number(data.mean_chip) + " mm");
   row("removal rate Q", number(data.removal_rate) + " cm3/min");
   row("specific force kc", number(data.cutting_force) + " N/mm2");

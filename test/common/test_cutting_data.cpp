@@ -6,9 +6,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <fstream>
 #include <functional>
+#include <iterator>
 #include <limits>
 #include <set>
+#include <sstream>
 
 using namespace pointmill;
 
@@ -118,6 +121,21 @@ TEST(CuttingData, ThinChipsAreMadeUpForOnlySoFar)
       cuttingData(free).feed_per_tooth, 0.05 / (2 * std::sqrt(0.01 * 0.99)), 1e-12);
 }
 
+TEST(CuttingData, FinishingMarksAreNoCoarserAlongTheFeedThanAcross)
+{
+  CutSetting cut = cutOf("softwood", Tool::ball(1, 6));
+  cut.depth = cut.width = 0.1;
+  cut.chip_load = 0.1;
+  EXPECT_GT(cuttingData(cut).feed_per_tooth, 0.2);
+  cut.kind = CutKind::Finishing;
+  const CuttingData data = cuttingData(cut);
+  EXPECT_EQ(data.feed_per_tooth, 0.1);
+  EXPECT_EQ(data.limits,
+            (std::vector<CutLimit>{CutLimit::Thinning, CutLimit::StepOver}));
+  cut.tool = Tool::flat(1, 6); // its marks are flat
+  EXPECT_GT(cuttingData(cut).feed_per_tooth, 0.2);
+}
+
 TEST(CuttingData, ABallTurnsFasterTheShallowerItCuts)
 {
   CutSetting cut = cutOf("hardwood", Tool::ball(1, 6));
@@ -220,6 +238,8 @@ TEST(CuttingData, TheMachineLimitsAreKeptAndNamed)
   data = cuttingData(sideCut(10), machine);
   EXPECT_NEAR(data.power / machine.power, 1, 1e-9);
   EXPECT_LT(data.feed, free.feed / 3); // thinner chips take more force
+  EXPECT_TRUE(data.rubs());
+  EXPECT_FALSE(free.rubs());
   EXPECT_EQ(data.limits, std::vector<CutLimit>{CutLimit::Power});
 
   machine.max_feed = 300;
@@ -376,6 +396,26 @@ TEST(WorkMaterial, TheTableIsInOrder)
         EXPECT_TRUE(names.insert(name).second) << name << " stands there twice";
         EXPECT_EQ(workMaterial(name).name, material.name);
       }
+  }
+}
+
+TEST(WorkMaterial, ThePageSaysWhatTheTableSays)
+{
+  std::ifstream file(POINTMILL_DOC "/cutting.md");
+  const std::string page((std::istreambuf_iterator<char>(file)), {});
+  ASSERT_FALSE(page.empty());
+  for (const auto& m : workMaterials()) {
+    std::ostringstream row;
+    row << "| `" << m.name << "` | " << m.description << " | " << m.carbide_speed.low
+        << " .. " << m.carbide_speed.high << " | ";
+    if (m.hss_speed.high > 0)
+      row << m.hss_speed.low << " .. " << m.hss_speed.high;
+    else
+      row << "no";
+    row << " | " << m.chip_ratio << " | " << m.chip_limit << " | " << m.rough_depth
+        << " | " << m.kc11 << " | " << m.mc << " | " << (m.coolant ? "flood" : "none")
+        << " |";
+    EXPECT_NE(page.find(row.str()), std::string::npos) << row.str();
   }
 }
 

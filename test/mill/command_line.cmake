@@ -85,6 +85,25 @@ if(EXISTS ${WORK}/out)
   message(SEND_ERROR "a directory was made though the options are wrong")
 endif()
 
+# ... of cutting data
+function(no_cut words)
+  run(1 "${words}" cutting ${ARGN})
+endfunction()
+no_cut("--material is needed")
+no_cut("unknown material 'hartwood', did you mean 'hardwood'" --material hartwood)
+no_cut("--type must be flat.*not drill" --material brass --type drill)
+no_cut("--type taper needs --taper" --material brass --type taper)
+no_cut("--cut must be roughing" --material brass --cut planing)
+no_cut("chip load is 5 mm" --material brass --diameter 6 --chip-load 5)
+no_cut("--length is nan" --material brass --length nan)
+no_cut("pointmill cutting --help" --material brass --no-such-option)
+run(0 "hardened-steel  .* no .*graphite" cutting --list)
+run(0 "n +9549 rev/min\n.*vf +2339 mm/min\n" # 3e5 / 10 pi; 0.08 / (2 sqrt(0.24))
+    cutting --material Aluminum --diameter 10 --flutes 3)
+run(0 "18000 rev/min  <- max spindle\n.* <- max feed, power\n.*<- it rubs\n.*1000 mm +[0-9.]+ min"
+    cutting --material hardwood --type ball --diameter 6 --max-spindle 18000
+    --max-feed 2000 --power 10 --length 1000)
+
 # 2: bad input
 run(2 "missing.pcd" mill missing.pcd -o out)
 file(WRITE ${WORK}/garbage.pcd "this is no point cloud\n")

@@ -155,7 +155,11 @@ TEST(ProgramTime, SplittingALineChangesNothing)
 TEST(ProgramTime, AReversalIsAStop)
 {
   const double there = seconds(Path().feed(10, 0, 0).program);
-  EXPECT_NEAR(seconds(Path().feed(10, 0, 0).feed(0, 0, 0).program), 2 * there, 1e-12);
+  Program program = Path().feed(10, 0, 0).feed(0, 0, 0).program;
+  for (const double blend : {-1.0, 0.0, 0.1, std::numeric_limits<double>::infinity()}) {
+    program.blend = blend;
+    EXPECT_NEAR(seconds(program), 2 * there, 1e-12) << blend;
+  }
 }
 
 TEST(ProgramTime, ExactStopStopsAtEveryCorner)

@@ -168,6 +168,8 @@ const char* nameOf(CutLimit limit)
     return "max spindle";
   case CutLimit::Thinning:
     return "max thinning";
+  case CutLimit::StepOver:
+    return "step-over";
   case CutLimit::MaxFeed:
     return "max feed";
   case CutLimit::Power:
@@ -187,12 +189,17 @@ CuttingData cuttingData(const CutSetting& cut, const Machine& machine)
   const Edge edge = edgeOf(cut.tool, data.depth);
   setSpindle(data, machine);
 
-  const double thinning = edge.sine * radialThinning(data.width, edge.diameter);
-  data.feed_per_tooth = data.chip_load / thinning;
-  if (data.feed_per_tooth > cut.max_thinning * data.chip_load) {
-    data.feed_per_tooth = cut.max_thinning * data.chip_load;
-    data.limits.push_back(CutLimit::Thinning);
-  }
+  const auto atMost = [&](double most, CutLimit limit) {
+    if (data.feed_per_tooth <= most)
+      return;
+    data.feed_per_tooth = most;
+    data.limits.push_back(limit);
+  };
+  data.feed_per_tooth =
+      data.chip_load / (edge.sine * radialThinning(data.width, edge.diameter));
+  atMost(cut.max_thinning * data.chip_load, CutLimit::Thinning);
+  if (cut.kind == CutKind::Finishing && cut.tool.corner_radius > 0)
+    atMost(data.width, CutLimit::StepOver);
   follow(data, cut, edge);
   if (machine.max_feed > 0 && data.feed > machine.max_feed)
     hold(data, cut, edge, machine.max_feed / data.feed, CutLimit::MaxFeed);

@@ -108,9 +108,9 @@ private:
     const double shorter = std::min(before.length, after.length);
     double radius = shorter / 2 * cosine / sine;
     if (!sameArc(a, b)) {
-      if (deviation_)
+      if (deviation_ && radius > 0)
         radius = std::min(radius, *deviation_ * cosine * (1 + cosine) / (sine * sine));
-      else if (2 * sine > kStraight)
+      else if (!deviation_ && 2 * sine > kStraight)
         return 0.0;
     }
     return machine_.acceleration * radius;

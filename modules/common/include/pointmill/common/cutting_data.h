@@ -35,7 +35,7 @@ struct CutSetting {
 };
 
 /// @brief What held a cut back from what its material and tool would bear.
-enum class CutLimit { MinSpindle, MaxSpindle, Thinning, MaxFeed, Power };
+enum class CutLimit { MinSpindle, MaxSpindle, Thinning, StepOver, MaxFeed, Power };
 
 /// @brief For people, as "max spindle".
 const char* nameOf(CutLimit limit);
@@ -60,6 +60,10 @@ struct CuttingData {
   bool coolant = true;
   std::vector<CutLimit> limits; ///< in the order they were met; empty: none
 
+  /// @brief Whether limits made the chips thinner than a quarter of what is wanted: by
+  /// rule of thumb the edge then rubs, and less depth or width or a slower spindle is
+  /// better than so low a feed.
+  bool rubs() const { return max_chip < chip_load / 4; }
   /// @brief Time to mill @p length mm of path at the feed [s].
   double secondsForLength(double length) const { return 60.0 * length / feed; }
   /// @brief Time to remove @p volume mm3 [s].
@@ -83,8 +87,10 @@ struct CuttingData {
 ///
 /// where hex is the chip load, the thickest chip that is wanted, and `sin km` is the
 /// depth by the length of the engaged edge. fz is at most CutSetting::max_thinning
-/// times the chip load. Spindle speed, feed and power are kept within what the machine
-/// is known to do, the latter two by a lower feed.
+/// times the chip load, and in finishing with a rounded end no more than the step-over
+/// ae, so that its marks along the feed are no higher than those across. Spindle speed,
+/// feed and power are kept within what the machine is known to do, the latter two by a
+/// lower feed.
 ///
 /// Sources: Sandvik Coromant, Milling formulas and definitions (vc, fz, hex, hm, kc,
 /// Pc, Mc, De of round tools); O. Kienzle, Die Bestimmung von Kraeften und Leistungen

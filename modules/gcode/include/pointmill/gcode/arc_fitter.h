@@ -50,7 +50,7 @@ public:
   };
 
   /// @brief Hands on to @p next, which must outlive this; @p decimals as GCodeWriter's.
-  ArcFitter(MachineCalls& next, int decimals) : next_(next), grid_(decimals) {}
+  ArcFitter(MachineCalls& next, const DecimalGrid& grid) : next_(next), grid_(grid) {}
 
   /// @brief How far the path may get from what came in [mm]. It adds to the chords' own
   /// error, to both sides, and belongs into the error budget.

@@ -58,7 +58,8 @@ struct ProgramTime {
 /// each corner, but not between the chords of one arc. It rests, too, where tool or
 /// spindle change and at places that the program does not determine.
 ///
-/// Rapids are taken as straight. Not counted: jerk, dwells, the run-up of the spindle,
+/// Rapids are taken as straight, at the rapid rate along their way, which is the
+/// longest that they take. Not counted: jerk, dwells, the run-up of the spindle,
 /// and moves to or from the top of the machine. Time and memory are linear in the
 /// moves.
 ///
