@@ -134,7 +134,7 @@ template <typename Set>
 Result fitted(const Positions& path, int decimals, Set&& set)
 {
   Recorder recorder;
-  ArcFitter fitter(recorder, decimals);
+  ArcFitter fitter(recorder, DecimalGrid(decimals));
   set(fitter);
   fitter.begin({});
   send(path, fitter);
@@ -479,7 +479,7 @@ TEST(ArcFitter, BothRadiiOfAnArcAgreeWithThreeDecimals)
 TEST(ArcFitter, OtherCallsKeepTheirPlaceAndEndARun)
 {
   Recorder direct, through;
-  ArcFitter fitter(through, 4);
+  ArcFitter fitter(through, DecimalGrid(4));
   const auto talk = [](MachineCalls& calls) {
     calls.begin({"test", {}, {}, 0.0, std::nullopt});
     calls.comment("one");
@@ -522,7 +522,7 @@ TEST(ArcFitter, FeedsPartRunsAndMayBeLowered)
   Recorder recorder;
   const auto run = [&](double drop, const std::vector<std::int64_t>& feeds) {
     recorder = Recorder();
-    ArcFitter fitter(recorder, 4);
+    ArcFitter fitter(recorder, DecimalGrid(4));
     fitter.setFeedDrop(drop);
     fitter.begin({});
     fitter.traverse({0, 0, 0});
@@ -543,7 +543,7 @@ TEST(ArcFitter, FeedsPartRunsAndMayBeLowered)
 TEST(ArcFitter, TheFeedBeforeIsKeptWhereItMayBe)
 {
   Recorder recorder;
-  ArcFitter fitter(recorder, 4);
+  ArcFitter fitter(recorder, DecimalGrid(4));
   fitter.setFeedDrop(0.1);
   fitter.begin({});
   fitter.traverse({0, 0, 0});
@@ -590,7 +590,7 @@ TEST(ArcFitter, AReaderUnderstandsWhatIsPrinted)
       auto path = turn(plane, 12, 70, sweep, 300, 1.5);
       path.push_back(place(plane, 30, 40, 5));
       ArcText text(4);
-      ArcFitter fitter(text, 4);
+      ArcFitter fitter(text, DecimalGrid(4));
       fitter.setTolerance(0.002);
       fitter.begin({});
       send(path, fitter);
@@ -615,7 +615,7 @@ TEST(ArcFitter, StandsBehindTheWriter)
   pointmill::GCodeWriter writer;
   writer.setClearancePlane(12.5);
   Recorder direct, through;
-  ArcFitter fitter(through, writer.getDecimals());
+  ArcFitter fitter(through, writer.getGrid());
   fitter.setTolerance(0);
   const auto statistics = writer.write(operations, direct);
   EXPECT_EQ(writer.write(operations, fitter).feed_moves, statistics.feed_moves);
@@ -630,7 +630,7 @@ TEST(ArcFitter, ParametersAreChecked)
 {
   const auto refusal = [](auto&& set) {
     Recorder recorder;
-    ArcFitter fitter(recorder, 4);
+    ArcFitter fitter(recorder, DecimalGrid(4));
     set(fitter);
     try {
       fitter.begin({});

@@ -4,6 +4,7 @@
 
 #include <pointmill/common/error.h>
 #include <pointmill/mill/check.h>
+#include <pointmill/visual/finding_picture.h>
 
 #include <algorithm>
 #include <cmath>
@@ -16,6 +17,16 @@ namespace {
 std::string withPlace(const std::string& file, const std::string& what)
 {
   return file.empty() ? what : file + ": " + what;
+}
+
+std::string whereOf(const Finding& f, const Program& program)
+{
+  return f.line > 0 ? program.where(f.line) : "";
+}
+
+bool hasPlace(const Finding& f)
+{
+  return f.place.allFinite() && !f.place.isZero();
 }
 
 } // namespace
@@ -67,10 +78,10 @@ std::vector<std::string> findingLines(const Verification& verification,
   for (const auto& f : verification.findings) {
     std::string line = f.severity == Severity::Error ? "error " : "warning ";
     line += f.code + ": " + f.text;
-    std::string place = f.line > 0 ? program.where(f.line) : "";
-    if (f.place)
+    std::string place = whereOf(f, program);
+    if (hasPlace(f))
       place += (place.empty() ? "" : ", ") +
-               print("X%.3f Y%.3f Z%.3f", f.place->x(), f.place->y(), f.place->z());
+               print("X%.3f Y%.3f Z%.3f", f.place.x(), f.place.y(), f.place.z());
     lines.push_back(place.empty() ? line : line + " (" + place + ")");
   }
   return lines;
@@ -141,10 +152,11 @@ void writeFindings(const std::string& path,
     mark.code = f.code;
     mark.text = f.text;
     mark.warning = f.severity == Severity::Warning;
-    mark.line = f.line;
+    mark.where = whereOf(f, judgement.program);
     mark.tool = f.tool;
     mark.worst = f.worst;
-    mark.place = f.place;
+    if (hasPlace(f))
+      mark.place = f.place;
     const auto& moves = judgement.program.moves;
     const auto first = std::lower_bound(
         moves.begin(), moves.end(), f.line, [](const ProgramMove& m, std::size_t line) {

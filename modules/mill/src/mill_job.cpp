@@ -105,9 +105,12 @@ void MillJob::writeProgram(const std::vector<std::string>& remarks)
     auto fitter = std::make_unique<ArcFitter>(next, writer.getGrid());
     fitter->setTolerance(budget.arcs);
     fitter->setArcs(options_.arcs);
-    for (const auto plane : {ArcPlane::XY, ArcPlane::ZX, ArcPlane::YZ})
-      fitter->setPlane(plane, writer.getPost().takesArcs(plane));
-    if (!writer.getPost().helices)
+    const Post& post = writer.getPost();
+    fitter->setPlanes({post.takesArcs(ArcPlane::XY),
+                       post.takesArcs(ArcPlane::ZX),
+                       post.takesArcs(ArcPlane::YZ)});
+    fitter->setLargestSweep(std::min(fitter->getLargestSweep(), post.largest_sweep));
+    if (post.helix_planes.empty())
       fitter->setSteepestHelix(0);
     return fitter;
   });

@@ -157,8 +157,8 @@ Json verificationJson(const Judgement& judgement, double tolerance)
                     {"worst", number(f.worst)},
                     {"count", f.count},
                     {"where", f.line > 0 ? judgement.program.where(f.line) : ""}};
-    if (f.place)
-      finding["at"] = vector(*f.place);
+    if (f.place.allFinite())
+      finding["at"] = vector(f.place);
     if (f.tool > 0)
       finding["tool"] = f.tool;
     findings.push_back(finding);

@@ -49,7 +49,7 @@ public:
     double largest_deviation = 0.0; ///< proven bound of all calls [mm]
   };
 
-  /// @brief Hands on to @p next, which must outlive this; @p decimals as GCodeWriter's.
+  /// @brief Hands on to @p next, which must outlive this; @p grid as GCodeWriter::getGrid().
   ArcFitter(MachineCalls& next, const DecimalGrid& grid) : next_(next), grid_(grid) {}
 
   /// @brief How far the path may get from what came in [mm]. It adds to the chords' own
