@@ -96,6 +96,7 @@ void MillJob::writeProgram(const std::vector<std::string>& remarks)
   writer.addComment("part " + scan_name_);
   for (const auto& line : setUp())
     writer.addComment(line);
+  writer.setProgramName(std::filesystem::path(scan_name_).stem().string());
   writer.setStock(stock_);
   writer.setClearancePlane(clearancePlane());
   writer.setLowRapids(true); // LinkPasses proves them

@@ -117,7 +117,7 @@ private:
   void checkKnown(const ProgramMove& m, const Tool& tool)
   {
     const double lowest = std::min(m.from.z(), m.to.z());
-    if (limits_.stock.min.z() - lowest > kRounding)
+    if (limits_.stock.min.z() - lowest > limits_.tolerance)
       find("below_stock", limits_.stock.min.z() - lowest, m);
     auto& tip = result_.lowest_tip.emplace(m.tool, lowest).first->second;
     tip = std::min(tip, lowest);

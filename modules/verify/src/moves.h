@@ -61,7 +61,8 @@ std::vector<ProgramSection> sectionsOf(const Program& program);
 struct MoveLimits {
   const Stock& stock;
   const Machine& machine;
-  double safe; ///< what moves from or to unknown places must stay above [mm]
+  double safe;      ///< what moves from or to unknown places must stay above [mm]
+  double tolerance; ///< a feed move may sink so deep below the stock [mm]
 };
 
 /// @brief Checks what can be said of every move alone and of each in a row, counts and
