@@ -369,27 +369,17 @@ TEST(Posts, HeidenhainConversational)
 
 TEST(Posts, HeidenhainIso)
 {
-  // Of the arcs it takes the one that is flat and in XY. Chords are tested elsewhere.
-  auto writer = sample::writerFor(Post::named("heidenhain-iso"));
+  // Of the arcs it takes the one that is flat and in XY; chords are tested elsewhere.
   auto operations = sample::twoTools();
   auto& path = operations[0].path;
   path.erase(path.begin() + 4, path.begin() + 6);
-  path[4].x = path[5].x = 20;
-  path[4].z = -1.5f;
+  for (std::size_t i = 4; i < path.size(); ++i)
+    path[i].x = 20;
   path[4].y = path[5].y = 5.5;
-  auto arcs = sample::someArcs(writer.getGrid());
-  arcs.erase(3);
-  arcs.erase(4);
-  pointmill::GCodeWriter plain;
-  plain.setPost(writer.getPost());
-  plain.setProgramName("Bracket");
-  plain.setClearancePlane(10);
-  plain.setPathTolerance(0.02);
-  plain.setStock(writer.getStock());
-  plain.addAdapter([arcs](pointmill::MachineCalls& next) {
-    return std::make_unique<sample::ArcsInstead>(next, arcs);
-  });
-  auto files = sample::files(plain, operations);
+  path[4].z = -1.5f;
+  auto writer = sample::plainWriterFor(Post::named("heidenhain-iso"));
+  sample::makeArcs(writer, {{2, sample::someArcs(writer.getGrid()).at(2)}});
+  auto files = sample::files(writer, operations);
   EXPECT_EQ(files[""].str(), program(R"(
 %BRACKET G71                      <- G71 is mm
 N10 ; POINTMILL VERSION FOR HEIDENHAIN ISO

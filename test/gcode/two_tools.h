@@ -77,10 +77,10 @@ inline std::vector<pointmill::Operation> twoTools()
   return {rough, finish};
 }
 
-/// For @p post, with clearance plane 10, arcs, a stock, and a path tolerance.
+/// For @p post, with clearance plane 10, a stock, and a path tolerance.
 inline pointmill::GCodeWriter
-writerFor(const pointmill::Post& post,
-          pointmill::Unit unit = pointmill::Unit::Millimetre)
+plainWriterFor(const pointmill::Post& post,
+               pointmill::Unit unit = pointmill::Unit::Millimetre)
 {
   pointmill::GCodeWriter writer;
   writer.setPost(post);
@@ -89,10 +89,22 @@ writerFor(const pointmill::Post& post,
   writer.setClearancePlane(10);
   writer.setPathTolerance(0.02);
   writer.setStock(pointmill::Stock{{-5, -5, -10}, {45, 25, 0.5}});
-  const auto arcs = someArcs(writer.getGrid());
+  return writer;
+}
+
+inline void makeArcs(pointmill::GCodeWriter& writer, const ArcsInstead::Arcs& arcs)
+{
   writer.addAdapter([arcs](pointmill::MachineCalls& next) {
     return std::make_unique<ArcsInstead>(next, arcs);
   });
+}
+
+inline pointmill::GCodeWriter
+writerFor(const pointmill::Post& post,
+          pointmill::Unit unit = pointmill::Unit::Millimetre)
+{
+  auto writer = plainWriterFor(post, unit);
+  makeArcs(writer, someArcs(writer.getGrid()));
   return writer;
 }
 
