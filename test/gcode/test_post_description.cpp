@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the PointMill authors
+#include "post_keys.h"
 #include "two_tools.h"
 
 #include <pointmill/common/error.h>
@@ -27,13 +28,18 @@ std::string refusal(const std::string& text)
   return "accepted";
 }
 
+std::string page()
+{
+  std::ifstream in(POINTMILL_SOURCE_DIR "/doc/posts.md");
+  std::ostringstream text;
+  text << in.rdbuf();
+  return text.str();
+}
+
 /// The block of doc/posts.md that is marked as YAML.
 std::string exampleOfThePage()
 {
-  std::ifstream in(POINTMILL_SOURCE_DIR "/doc/posts.md");
-  std::ostringstream page;
-  page << in.rdbuf();
-  const std::string text = page.str(), mark = "```yaml\n";
+  const std::string text = page(), mark = "```yaml\n";
   const auto begin = text.find(mark);
   EXPECT_NE(begin, std::string::npos);
   const auto from = begin + mark.size();
@@ -173,6 +179,31 @@ TEST(PostDescription, TheExampleOfThePageIsWholeAndWrites)
   EXPECT_NE(text.find("\nG0 Z10\n"), std::string::npos) << text;
   EXPECT_NE(text.find("\nM6 T2\n"), std::string::npos) << text;
   EXPECT_EQ(text.substr(text.size() - 4), "\nM2\n");
+}
+
+TEST(PostDescription, ThePageNamesAllKeysAndPlaces)
+{
+  std::istringstream in(page());
+  std::map<std::string, std::string> rows; // by each key of their first column
+  for (std::string line; std::getline(in, line);) {
+    if (line.compare(0, 3, "| `") != 0)
+      continue;
+    std::istringstream keys(line.substr(0, line.find(" | ")));
+    for (std::string key; keys >> key;)
+      if (key.size() > 2)
+        rows[key.substr(1, key.size() - 2)] = line;
+  }
+  Post post;
+  pointmill::gcode::visitKeys(
+      post, [&rows](const char* key, auto&) { EXPECT_EQ(rows.count(key), 1u) << key; });
+  pointmill::gcode::visitTemplates(
+      post, [&rows](const char* key, auto&, const char* places) {
+        std::istringstream names(places);
+        for (std::string name; names >> name;)
+          EXPECT_TRUE(rows[key].find("{" + name + "}") != std::string::npos ||
+                      rows[key].find("the same |") != std::string::npos)
+              << key << " " << name;
+      });
 }
 
 TEST(PostDescription, WidthsPadWithZeros)

@@ -5,8 +5,11 @@
 
 #include <pointmill/common/version.h>
 
+#include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
+#include <cstdio>
+#include <random>
 #include <string>
 
 using pointmill::Post;
@@ -421,6 +424,69 @@ N360 G00 Z+0 M91
 N370 M30
 %BRACKET G71
 )"));
+}
+
+TEST(Posts, ConversationalArcsEndWhereTheyShallAlongAChain)
+{
+  // A control that goes where the angles say, and where each arc should have ended.
+  struct Chain : pointmill::CallAdapter {
+    Chain(pointmill::MachineCalls& next, std::vector<Eigen::Vector2d>& ends)
+        : CallAdapter(next), ends_(ends)
+    {
+    }
+    void straight(const pointmill::MachinePosition& to, std::int64_t feed) override
+    {
+      CallAdapter::straight(to, feed);
+      std::mt19937 random(5);
+      std::uniform_int_distribution<std::int64_t> side(-400000, 400000), off(-15, 15);
+      auto at = to;
+      for (int i = 0; i < 300; ++i) {
+        pointmill::MachineArc arc;
+        arc.u = side(random);
+        arc.v = side(random);
+        arc.clockwise = i % 3 == 0;
+        // A quarter, with ends that are not quite equally far from the centre.
+        const auto sign = arc.clockwise ? -1 : 1;
+        arc.to = {at.x + arc.u + sign * arc.v + off(random),
+                  at.y + arc.v - sign * arc.u + off(random),
+                  at.z};
+        CallAdapter::arc(arc, feed);
+        at = arc.to;
+        ends_.emplace_back(double(at.x) * 1e-4, double(at.y) * 1e-4);
+      }
+      CallAdapter::straight(to, feed);
+    }
+    std::vector<Eigen::Vector2d>& ends_;
+  };
+  std::vector<Eigen::Vector2d> ends;
+  auto operation = sample::small();
+  operation.path.erase(operation.path.begin() + 3, operation.path.begin() + 5);
+  operation.path[3].x = operation.path[3].y = 0;
+  auto writer = sample::plainWriterFor(Post::named("heidenhain"));
+  writer.addAdapter([&ends](pointmill::MachineCalls& next) {
+    return std::make_unique<Chain>(next, ends);
+  });
+  std::istringstream in(sample::files(writer, {operation})[""].str());
+
+  Eigen::Vector2d at(0, 0), pole;
+  std::size_t arcs = 0;
+  double worst = 0;
+  for (std::string line; std::getline(in, line);) {
+    double x = 0, y = 0, angle = 0;
+    int number = 0;
+    if (std::sscanf(line.c_str(), "%d CC X%lf Y%lf", &number, &x, &y) == 3)
+      pole = {x, y};
+    else if (std::sscanf(line.c_str(), "%d CP IPA%lf", &number, &angle) == 2) {
+      EXPECT_EQ(line.find(angle < 0 ? "DR-" : "DR+") != std::string::npos, true);
+      at = pole + Eigen::Rotation2Dd(angle * 3.14159265358979 / 180) * (at - pole);
+      ASSERT_LT(arcs, ends.size());
+      worst = std::max(worst, (at - ends[arcs++]).norm());
+    }
+  }
+  EXPECT_EQ(arcs, ends.size());
+  // Radii up to 57 mm turned by half a ten-thousandth of a degree, and the pole's
+  // place.
+  EXPECT_LT(worst, 2e-4);
 }
 
 TEST(Posts, AreAllNamed)
