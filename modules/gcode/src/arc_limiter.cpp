@@ -68,9 +68,9 @@ void ArcLimiter::arc(const MachineArc& arc, std::int64_t feed)
   const bool flat =
       along(arc.to, axesOf(arc.plane).w) == along(*at_, axesOf(arc.plane).w);
   const bool taken = flat ? post_.takesArcs(arc.plane) : post_.takesHelices(arc.plane);
-  const int n =
-      pieces(geometry.sweep(),
-             taken ? post_.largest_sweep * degree : chordSweep(grid_.value(1) * geometry.radius()));
+  const int n = pieces(geometry.sweep(),
+                       taken ? post_.largest_sweep * degree
+                             : chordSweep(grid_.value(1) * geometry.radius()));
   for (int i = 1; i <= n; ++i) {
     const auto to = geometry.point(double(i) / n);
     if (to == *at_)

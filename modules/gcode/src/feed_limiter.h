@@ -2,7 +2,7 @@
 // Copyright (c) 2026, the PointMill authors
 #pragma once
 
-#include "call_adapter.h"
+#include <pointmill/gcode/call_adapter.h>
 
 #include <cstddef>
 

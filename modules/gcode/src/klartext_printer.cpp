@@ -93,6 +93,14 @@ void KlartextPrinter::straight(const MachinePosition& to, std::int64_t rate)
   endBlock(feed(line(to), rate));
 }
 
+/// Whether the arc before has ended beside its tick.
+bool KlartextPrinter::isOff() const
+{
+  const auto axis = axesOf(arc_end_->plane);
+  const Vector2d at(double(along(*at_, axis.u)), double(along(*at_, axis.v)));
+  return (arc_end_->at - at).norm() > 0.5;
+}
+
 Vector2d KlartextPrinter::start(ArcPlane plane) const
 {
   const auto axis = axesOf(plane);
@@ -108,7 +116,7 @@ void KlartextPrinter::arc(const MachineArc& arc, std::int64_t rate)
   const Vector2d centre(double(along(*at_, axis.u) + arc.u),
                         double(along(*at_, axis.v) + arc.v));
   const Vector2d to(double(along(arc.to, axis.u)), double(along(arc.to, axis.v)));
-  if (arc_end_ && arc_end_->plane != arc.plane)
+  if (arc_end_ && arc_end_->plane != arc.plane && isOff())
     straight(*at_, rate);
   const Vector2d from = start(arc.plane);
   const Vector2d pole = poleOf(from, to, centre);

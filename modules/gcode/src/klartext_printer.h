@@ -37,6 +37,7 @@ private:
   char* line(const MachinePosition& to);
   bool isAt(const MachinePosition& to) const;
   bool isStale(int axis) const;
+  bool isOff() const;
   Eigen::Vector2d start(ArcPlane plane) const;
 
   std::optional<MachinePosition> at_; ///< none: write all axes

@@ -104,14 +104,12 @@ void Printer::begin(const ProgramHead& head)
 
 void Printer::printPathMode(double tolerance)
 {
-  // Never more than was asked for.
-  const double unit = settings_.unit == Unit::Inch ? inch : 1.0;
-  const DecimalGrid grid(6, unit);
-  auto ticks = grid.nearest(tolerance);
-  if (grid.value(ticks) > tolerance + 1e-9)
+  // Rounded, but never to more than was asked for.
+  auto ticks = grid_.nearest(tolerance);
+  if (grid_.value(ticks) > tolerance + 1e-9)
     --ticks;
   if (ticks > 0 && !post_.blend.empty())
-    print(post_.blend, {{"tolerance", grid.text(ticks, {false, style_.point, true})}});
+    print(post_.blend, {{"tolerance", grid_.text(ticks, {false, style_.point, true})}});
   else
     print(post_.exact_path);
 }

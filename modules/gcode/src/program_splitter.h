@@ -2,8 +2,8 @@
 // Copyright (c) 2026, the PointMill authors
 #pragma once
 
-#include "call_adapter.h"
 #include "program_files.h"
+#include <pointmill/gcode/call_adapter.h>
 
 #include <optional>
 #include <string>

@@ -84,6 +84,7 @@ void WordPrinter::selectPlane(ArcPlane plane)
   if (plane == plane_)
     return;
   plane_ = plane;
+  mode_ = Mode::None;
   endBlock(word(block(),
                 plane == ArcPlane::XY   ? "G17"
                 : plane == ArcPlane::ZX ? "G18"

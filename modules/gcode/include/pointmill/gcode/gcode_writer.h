@@ -58,7 +58,7 @@ public:
   /// suffix is for the file's name: empty for a single one, else "_1", "_2", or "_1_T3"
   /// where each file has one tool: in the order of machining.
   using Opener = std::function<std::ostream&(const std::string& suffix)>;
-  /// @brief Makes what stands between the writer and the printer, as an ArcFitter: it
+  /// @brief Makes what stands between the writer and the printer, as a CallAdapter: it
   /// hands on to @p next.
   using Adapter = std::function<std::unique_ptr<MachineCalls>(MachineCalls& next)>;
 

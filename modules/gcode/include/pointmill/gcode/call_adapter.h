@@ -4,9 +4,10 @@
 
 #include <pointmill/gcode/machine_calls.h>
 
-namespace pointmill::gcode {
+namespace pointmill {
 
-/// @brief Hands every call on to the next; derived classes change some.
+/// @brief Hands every call on to the next, which must outlive it; derived classes
+/// change some.
 class CallAdapter : public MachineCalls {
 public:
   explicit CallAdapter(MachineCalls& next) : next_(next) {}
@@ -36,4 +37,4 @@ private:
   MachineCalls& next_;
 };
 
-} // namespace pointmill::gcode
+} // namespace pointmill
