@@ -364,8 +364,12 @@ TEST(ArcFitter, LimitsOfArcsAreKept)
   EXPECT_EQ(arcs_of(path, [](ArcFitter& f) { f.setPlanes({false, false, true}); }), 1u);
   EXPECT_EQ(arcs_of(path, [](ArcFitter& f) { f.setRadii(1, 20.1); }), 1u);
   EXPECT_EQ(arcs_of(path, [](ArcFitter& f) { f.setRadii(19.9, 100); }), 1u);
-  EXPECT_EQ(arcs_of(turn(ArcPlane::XY, 0.006, 0, 90, 4), [](ArcFitter&) {}), 0u)
-      << "of a few ticks";
+  const auto smallest = [](ArcFitter& f) {
+    f.setTolerance(0.00015);
+    f.setRadii(0.01, 1);
+  };
+  EXPECT_EQ(arcs_of({{0, 0, 0}, {60, 3, 0}, {120, 0, 0}}, smallest), 1u);
+  EXPECT_EQ(arcs_of({{0, 0, 0}, {45, 3, 0}, {90, 0, 0}}, smallest), 0u);
 }
 
 TEST(ArcFitter, RadiiKeepToTheirLimits)
@@ -538,6 +542,23 @@ TEST(ArcFitter, FeedsPartRunsAndMayBeLowered)
   EXPECT_EQ(run(0, {1000, 1000, 999, 999, 1000}), (Feeds{1000, 999, 1000}));
   EXPECT_EQ(run(0.1, {1000, 950, 900, 1000}), (Feeds{900}));
   EXPECT_EQ(run(0.1, {1000, 950, 899, 1000}), (Feeds{950, 899, 1000}));
+}
+
+TEST(ArcFitter, ACircleWithTwoFeedsIsTwoArcs)
+{
+  const auto path = turn(ArcPlane::XY, 10, 0, 100, 200);
+  Recorder recorder;
+  ArcFitter fitter(recorder, 4);
+  fitter.begin({});
+  fitter.traverse(path[0]);
+  for (std::size_t i = 1; i < path.size(); ++i)
+    fitter.straight(path[i], i <= 120 ? feed : feed / 2);
+  fitter.end();
+  ASSERT_EQ(recorder.moves.size(), 2u);
+  EXPECT_TRUE(recorder.moves[0].arc && recorder.moves[1].arc);
+  EXPECT_EQ(recorder.moves[0].to, path[120]);
+  EXPECT_EQ(recorder.moves[0].feed, feed);
+  EXPECT_EQ(recorder.moves[1].feed, feed / 2);
 }
 
 TEST(ArcFitter, TheFeedBeforeIsKeptWhereItMayBe)
