@@ -8,7 +8,6 @@
 
 #include <gtest/gtest.h>
 
-using pointmill::ArcPlane;
 using pointmill::MachineArc;
 using pointmill_test::Random;
 using namespace pointmill::gcode;

@@ -598,7 +598,7 @@ TEST(ArcFitter, LongRunsGoThroughABoundedWindow)
 {
   Positions path;
   for (int i = 0; i <= 10000; ++i)
-    path.push_back({10 * i, 0, 0});
+    path.push_back({std::int64_t(10) * i, 0, 0});
   const auto result = fitted(path, 0.001);
   EXPECT_EQ(result.moves.size(), 20u); // of at most 512
   EXPECT_EQ(result.moves.back().to, path.back());

@@ -119,7 +119,7 @@ private:
 
 void ArcFitter::emitOne()
 {
-  const double scale = 1.0 / grid_.value(1);
+  const auto scale = static_cast<double>(grid_.nearest(1.0)); // ticks in 1 mm
   const double rad = std::acos(-1.0) / 180;
   ArcLimits limits;
   limits.tolerance = tolerance_ * scale;
