@@ -54,7 +54,8 @@ private:
   void word(char letter, std::int64_t ticks)
   {
     char number[pointmill::DecimalGrid::max_chars];
-    text += ' ';
+    if (text.back() != '\n' && text.back() != ' ')
+      text += ' ';
     text += letter;
     text.append(number, grid_.write(number, ticks));
   }

@@ -15,6 +15,7 @@
 
 using pointmill::ArcFitter;
 using pointmill::ArcPlane;
+using pointmill::DecimalGrid;
 using pointmill::MachineArc;
 using pointmill::MachineCalls;
 using pointmill::MachinePosition;
@@ -131,10 +132,10 @@ struct Result {
 };
 
 template <typename Set>
-Result fitted(const Positions& path, int decimals, Set&& set)
+Result fitted(const Positions& path, const DecimalGrid& grid, Set&& set)
 {
   Recorder recorder;
-  ArcFitter fitter(recorder, DecimalGrid(decimals));
+  ArcFitter fitter(recorder, grid);
   set(fitter);
   fitter.begin({});
   send(path, fitter);
@@ -144,7 +145,7 @@ Result fitted(const Positions& path, int decimals, Set&& set)
 
 Result fitted(const Positions& path, double tolerance)
 {
-  return fitted(path, 4, [&](ArcFitter& f) { f.setTolerance(tolerance); });
+  return fitted(path, DecimalGrid(4), [&](ArcFitter& f) { f.setTolerance(tolerance); });
 }
 
 arcs::Path vectors(const Positions& path)
@@ -238,7 +239,9 @@ TEST(ArcFitter, ASteepHelixOrOneThatClimbsUnevenlyIsNone)
   const auto arcs_of = [&](double degrees, double steepest) {
     const auto path =
         turn(ArcPlane::XY, 20, 0, 120, 300, length * std::tan(degrees * pi / 180));
-    return fitted(path, 4, [&](ArcFitter& f) { f.setSteepestHelix(steepest); })
+    return fitted(path,
+                  DecimalGrid(4),
+                  [&](ArcFitter& f) { f.setSteepestHelix(steepest); })
         .statistics.arcs_out;
   };
   EXPECT_EQ(arcs_of(29.9, 30), 1u);
@@ -258,7 +261,7 @@ TEST(ArcFitter, AFullTurnIsSeveralArcs)
   const auto path = turn(ArcPlane::ZX, 8, 0, 360, 360);
   for (const double largest : {80.0, 175.0, 200.0, 350.0}) {
     const auto result =
-        fitted(path, 4, [&](ArcFitter& f) { f.setLargestSweep(largest); });
+        fitted(path, DecimalGrid(4), [&](ArcFitter& f) { f.setLargestSweep(largest); });
     EXPECT_EQ(result.moves.size(), std::size_t(std::ceil(360 / largest))) << largest;
     Eigen::Vector3d at = arcs::vector(path.front());
     double sum = 0;
@@ -277,7 +280,7 @@ TEST(ArcFitter, TwoTurnsAreNotOne)
 {
   // Round nearly twice: an arc with these ends would leave out a whole turn.
   const auto path = turn(ArcPlane::XY, 1, 0, 500, 100, 0.01);
-  const auto result = fitted(path, 4, [](ArcFitter& f) {
+  const auto result = fitted(path, DecimalGrid(4), [](ArcFitter& f) {
     f.setTolerance(0.02);
     f.setLargestSweep(350);
   });
@@ -324,9 +327,9 @@ TEST(ArcFitter, PointsOffALineCountByTheTolerance)
     f.setTolerance(0.005);
     f.setArcs(false);
   };
-  EXPECT_EQ(fitted(path, 4, straight).moves.size(), 1u);
+  EXPECT_EQ(fitted(path, DecimalGrid(4), straight).moves.size(), 1u);
   path[1].z = -51;
-  EXPECT_EQ(fitted(path, 4, straight).moves.size(), 2u);
+  EXPECT_EQ(fitted(path, DecimalGrid(4), straight).moves.size(), 2u);
 }
 
 TEST(ArcFitter, AWayBackIsNotLeftOut)
@@ -356,16 +359,26 @@ TEST(ArcFitter, ChordsCountNotOnlyTheirEnds)
 TEST(ArcFitter, LimitsOfArcsAreKept)
 {
   const auto arcs_of = [](const Positions& path, auto&& set) {
-    return fitted(path, 4, set).statistics.arcs_out;
+    return fitted(path, DecimalGrid(4), set).statistics.arcs_out;
   };
   const auto path = turn(ArcPlane::YZ, 20, 0, 60, 100);
   EXPECT_EQ(arcs_of(path, [](ArcFitter& f) { f.setArcs(false); }), 0u);
-  EXPECT_EQ(arcs_of(path, [](ArcFitter& f) { f.setPlanes({true, true, false}); }), 0u);
-  EXPECT_EQ(arcs_of(path, [](ArcFitter& f) { f.setPlanes({false, false, true}); }), 1u);
+  EXPECT_EQ(arcs_of(path, [](ArcFitter& f) { f.setPlane(ArcPlane::YZ, false); }), 0u);
+  EXPECT_EQ(arcs_of(path, [](ArcFitter& f) { f.setHelixPlane(ArcPlane::YZ, false); }),
+            1u);
+  const auto helix = turn(ArcPlane::YZ, 20, 0, 60, 100, 1);
+  EXPECT_EQ(arcs_of(helix, [](ArcFitter& f) { f.setHelixPlane(ArcPlane::YZ, false); }),
+            0u);
+  EXPECT_EQ(arcs_of(helix, [](ArcFitter& f) { f.setHelixPlane(ArcPlane::XY, false); }),
+            1u);
   EXPECT_EQ(arcs_of(path, [](ArcFitter& f) { f.setRadii(1, 20.1); }), 1u);
   EXPECT_EQ(arcs_of(path, [](ArcFitter& f) { f.setRadii(19.9, 100); }), 1u);
-  EXPECT_EQ(arcs_of(turn(ArcPlane::XY, 0.006, 0, 90, 4), [](ArcFitter&) {}), 0u)
-      << "of a few ticks";
+  const auto smallest = [](ArcFitter& f) {
+    f.setTolerance(0.00015);
+    f.setRadii(0.01, 1);
+  };
+  EXPECT_EQ(arcs_of({{0, 0, 0}, {60, 3, 0}, {120, 0, 0}}, smallest), 1u);
+  EXPECT_EQ(arcs_of({{0, 0, 0}, {45, 3, 0}, {90, 0, 0}}, smallest), 0u);
 }
 
 TEST(ArcFitter, RadiiKeepToTheirLimits)
@@ -373,8 +386,10 @@ TEST(ArcFitter, RadiiKeepToTheirLimits)
   const auto path = turn(ArcPlane::YZ, 20, 0, 60, 200);
   const std::pair<double, double> limits[] = {{1, 19.5}, {20.5, 100}};
   for (const auto& [smallest, largest] : limits) {
-    const auto result = fitted(
-        path, 4, [l = smallest, h = largest](ArcFitter& f) { f.setRadii(l, h); });
+    const auto result =
+        fitted(path, DecimalGrid(4), [l = smallest, h = largest](ArcFitter& f) {
+          f.setRadii(l, h);
+        });
     EXPECT_GT(result.moves.size(), 1u);
     EXPECT_GT(result.statistics.arcs_out, 1u);
     Eigen::Vector3d at = arcs::vector(path.front());
@@ -462,7 +477,8 @@ TEST(ArcFitter, BothRadiiOfAnArcAgreeWithThreeDecimals)
                            0,
                            1e-3));
     }
-    const auto result = fitted(path, 3, [](ArcFitter& f) { f.setTolerance(0.005); });
+    const auto result =
+        fitted(path, DecimalGrid(3), [](ArcFitter& f) { f.setTolerance(0.005); });
     Eigen::Vector3d at = arcs::vector(path.front());
     for (const auto& call : result.moves) {
       if (call.arc) {
@@ -540,6 +556,23 @@ TEST(ArcFitter, FeedsPartRunsAndMayBeLowered)
   EXPECT_EQ(run(0.1, {1000, 950, 899, 1000}), (Feeds{950, 899, 1000}));
 }
 
+TEST(ArcFitter, ACircleWithTwoFeedsIsTwoArcs)
+{
+  const auto path = turn(ArcPlane::XY, 10, 0, 100, 200);
+  Recorder recorder;
+  ArcFitter fitter(recorder, DecimalGrid(4));
+  fitter.begin({});
+  fitter.traverse(path[0]);
+  for (std::size_t i = 1; i < path.size(); ++i)
+    fitter.straight(path[i], i <= 120 ? feed : feed / 2);
+  fitter.end();
+  ASSERT_EQ(recorder.moves.size(), 2u);
+  EXPECT_TRUE(recorder.moves[0].arc && recorder.moves[1].arc);
+  EXPECT_EQ(recorder.moves[0].to, path[120]);
+  EXPECT_EQ(recorder.moves[0].feed, feed);
+  EXPECT_EQ(recorder.moves[1].feed, feed / 2);
+}
+
 TEST(ArcFitter, TheFeedBeforeIsKeptWhereItMayBe)
 {
   Recorder recorder;
@@ -577,7 +610,7 @@ TEST(ArcFitter, LongRunsGoThroughABoundedWindow)
 {
   Positions path;
   for (int i = 0; i <= 10000; ++i)
-    path.push_back({10 * i, 0, 0});
+    path.push_back({std::int64_t(10) * i, 0, 0});
   const auto result = fitted(path, 0.001);
   EXPECT_EQ(result.moves.size(), 20u); // of at most 512
   EXPECT_EQ(result.moves.back().to, path.back());
@@ -615,7 +648,7 @@ TEST(ArcFitter, StandsBehindTheWriter)
   pointmill::GCodeWriter writer;
   writer.setClearancePlane(12.5);
   Recorder direct, through;
-  ArcFitter fitter(through, writer.getGrid());
+  ArcFitter fitter(through, DecimalGrid(writer.getDecimals()));
   fitter.setTolerance(0);
   const auto statistics = writer.write(operations, direct);
   EXPECT_EQ(writer.write(operations, fitter).feed_moves, statistics.feed_moves);

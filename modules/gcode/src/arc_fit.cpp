@@ -29,9 +29,12 @@ public:
     const double lengths = std::sqrt(a.squaredNorm() * b.squaredNorm());
     if (lengths <= reach_)
       return true; // at an end, which all arcs share
-    // The chord is seen from p under pi less half of the sweep. In the bipolar
-    // coordinates of a and b that angle's scale is lengths / |b - a|.
-    const double bulge = cross(b, a) / (lengths - a.dot(b));
+    const double facing = lengths - a.dot(b);
+    if (!(facing > 0))
+      return false; // in line with the ends and beyond them
+    // The ends are seen from p under pi less half of the sweep. In bipolar coordinates
+    // about them that angle's scale is lengths / |b - a|.
+    const double bulge = cross(b, a) / facing;
     const double margin = (1.0 + bulge * bulge) / 2 * (reach_ / lengths);
     low_ = std::max(low_, bulge - margin);
     high_ = std::min(high_, bulge + margin);
@@ -61,7 +64,9 @@ double withRadius(double bulge, double half, const ArcLimits& limits)
   const double flattest = bulgeOf(limits.largest_radius - 1, half);
   const double roundest = bulgeOf(limits.smallest_radius + 1, half);
   const double size = std::abs(bulge);
-  return size > 1 ? bulge : std::copysign(std::clamp(size, flattest, roundest), bulge);
+  if (size > 1)
+    return bulge;
+  return std::copysign(std::min(std::max(size, flattest), roundest), bulge);
 }
 
 } // namespace

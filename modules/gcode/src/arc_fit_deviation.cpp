@@ -40,35 +40,77 @@ struct ChordAboutCentre {
   }
 };
 
-/// The largest |low + t rise - slope angle(t)| along a chord, where angle(t) is how far
-/// it has turned at part t of its length: the error of a helix that climbs evenly with
-/// the angle against a chord that climbs evenly with the length.
+/// The largest |begin + t rise - slope angle(t)| along a chord, where angle(t) is how
+/// far it has turned at part t of its length: the error of a helix, which climbs evenly
+/// with the angle, against a chord, which does with its length.
 double
 climbError(const ChordAboutCentre& chord, double begin, double rise, double slope)
 {
+  if (slope == 0.0)
+    return std::max(std::abs(begin), std::abs(begin + rise));
   double most =
       std::max(std::abs(begin), std::abs(begin + rise - slope * chord.angle()));
-  // Where both climb alike: rise / slope = d(angle)/dt = l h / (h^2 + l^2 (t -
-  // foot)^2).
+  // Largest where both climb alike: rise = slope d(angle)/dt, which for a line at the
+  // distance h is slope l h / (h^2 + l^2 (t - foot)^2).
   const double l = chord.length, h = chord.distance();
-  const double off = (slope * l * h / rise - h * h) / (l * l);
-  if (!(off > 0))
+  const double squared = (slope * l * h / rise - h * h) / (l * l);
+  if (!(squared > 0))
     return most;
-  for (const double t : {chord.foot - std::sqrt(off), chord.foot + std::sqrt(off)})
+  for (const double off : {-std::sqrt(squared), std::sqrt(squared)}) {
+    const double t = chord.foot + off;
     if (t > 0 && t < 1) {
-      const double angle =
-          std::atan2((t - chord.foot) * l, h) + std::atan2(chord.foot * l, h);
+      const double angle = std::atan2(off * l, h) + std::atan2(chord.foot * l, h);
       most = std::max(most, std::abs(begin + t * rise - slope * angle));
     }
+  }
   return most;
 }
 
-/// The angle from a to b in the sense of the arc, in [0, 2 pi).
-double sweepOf(const Vector2d& a, const Vector2d& b, double sense)
-{
-  const double angle = std::atan2(sense * cross(a, b), a.dot(b));
-  return angle < 0 ? angle + 2 * pi : angle;
-}
+/// The machine's way on an arc that stands for a polyline, seen from its centre.
+struct Way {
+  PlaneAxes axes;
+  double sense; ///< 1: counter-clockwise, -1: clockwise
+  Vector2d centre, begin, end;
+  double low, high; ///< radii between which the machine may be
+  double sweep;     ///< [0, 2 pi)
+  double climb;     ///< along the axis
+
+  Way(const Polyline& line, const MachineArc& arc)
+      : axes(arc.plane), sense(arc.clockwise ? -1.0 : 1.0),
+        centre(axes.project(line.front()) +
+               Vector2d(static_cast<double>(arc.u), static_cast<double>(arc.v))),
+        begin(axes.project(line.front()) - centre),
+        end(axes.project(line.back()) - centre),
+        low(std::min(begin.norm(), end.norm())),
+        high(std::max(begin.norm(), end.norm())),
+        sweep(std::atan2(sense * cross(begin, end), begin.dot(end))),
+        climb(line.back()[axes.w] - line.front()[axes.w])
+  {
+    if (sweep < 0)
+      sweep += 2 * pi;
+  }
+
+  bool keeps(const ArcLimits& limits) const
+  {
+    return low >= limits.smallest_radius && high <= limits.largest_radius &&
+           high - low <= limits.mismatch && sweep > 0 &&
+           sweep <= limits.largest_sweep &&
+           std::abs(climb) <= limits.steepest * low * sweep;
+  }
+
+  /// Whether a chord that advances comes round to where the arc begins.
+  bool closes(const ChordAboutCentre& chord) const
+  {
+    return sense * cross(begin, chord.p) < 0 && sense * cross(begin, chord.q) >= 0;
+  }
+
+  /// How far a chord is from the way in the plane, at the same angle.
+  double offInPlane(const ChordAboutCentre& chord) const
+  {
+    const double at_p = chord.p.norm(), at_q = chord.q.norm();
+    return std::max(std::max(at_p, at_q) - low, high - chord.nearest(at_p, at_q));
+  }
+};
 
 } // namespace
 
@@ -96,50 +138,27 @@ double straightDeviation(const Polyline& line, double tolerance)
 double
 arcDeviation(const Polyline& line, const MachineArc& arc, const ArcLimits& limits)
 {
-  const PlaneAxes axes(arc.plane);
-  const double sense = arc.clockwise ? -1.0 : 1.0;
-  const Vector2d centre =
-      axes.project(line.front()) +
-      Vector2d(static_cast<double>(arc.u), static_cast<double>(arc.v));
-  const Vector2d begin = axes.project(line.front()) - centre;
-  const Vector2d end = axes.project(line.back()) - centre;
-  const double low = std::min(begin.norm(), end.norm());
-  const double high = std::max(begin.norm(), end.norm());
-  const double sweep = sweepOf(begin, end, sense);
-  const double climb = line.back()[axes.w] - line.front()[axes.w];
-  if (low < limits.smallest_radius || high > limits.largest_radius ||
-      high - low > limits.mismatch || !(sweep > 0) || sweep > limits.largest_sweep ||
-      std::abs(climb) > limits.steepest * low * sweep)
+  const Way way(line, arc);
+  if (!way.keeps(limits))
     return refused;
-
-  // The place on the arc for each place of the line is the one at the same angle, where
-  // the machine's radius is between those of both ends.
-  const double slope = climb / sweep;
-  const double most = limits.tolerance * limits.tolerance;
-  double largest = 0.0, angle = 0.0, radius = begin.norm();
-  Vector2d at = begin;
+  const double slope = way.climb / way.sweep;
+  double largest = 0.0, angle = 0.0;
+  Vector2d at = way.begin;
   for (std::size_t i = 1; i < line.size; ++i) {
-    const ChordAboutCentre chord(at, axes.project(line[i]) - centre, sense);
-    // The second: round past the start once more.
-    if (!chord.advances() ||
-        (sense * cross(begin, at) < 0 && sense * cross(begin, chord.q) >= 0))
+    const ChordAboutCentre chord(at, way.axes.project(line[i]) - way.centre, way.sense);
+    if (!chord.advances() || way.closes(chord))
       return refused;
-    const double next = chord.q.norm();
-    const double in_plane =
-        std::max(std::max(radius, next) - low, high - chord.nearest(radius, next));
-    const double lift = line[i - 1][axes.w] - line.front()[axes.w] - slope * angle;
-    const double rise = line[i][axes.w] - line[i - 1][axes.w];
-    double across = std::max(std::abs(lift), std::abs(lift + rise));
-    if (climb != 0.0) {
-      across = climbError(chord, lift, rise, slope);
-      angle += chord.angle();
-    }
-    const double off = in_plane * in_plane + across * across;
-    if (off > most)
+    const double in_plane = way.offInPlane(chord);
+    const double begin = line[i - 1][way.axes.w] - line.front()[way.axes.w];
+    const double rise = line[i][way.axes.w] - line[i - 1][way.axes.w];
+    const double along = climbError(chord, begin - slope * angle, rise, slope);
+    const double off = in_plane * in_plane + along * along;
+    if (off > limits.tolerance * limits.tolerance)
       return refused;
     largest = std::max(largest, off);
+    if (slope != 0.0)
+      angle += chord.angle();
     at = chord.q;
-    radius = next;
   }
   return std::sqrt(largest);
 }

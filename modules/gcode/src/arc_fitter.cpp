@@ -119,22 +119,23 @@ private:
 
 void ArcFitter::emitOne()
 {
-  const double scale = 1.0 / grid_.value(1);
+  const double scale = 1.0 / grid_.value(1); // ticks in a millimetre
   const double rad = std::acos(-1.0) / 180;
   ArcLimits limits;
   limits.tolerance = tolerance_ * scale;
   limits.smallest_radius = smallest_radius_ * scale;
   limits.largest_radius = largest_radius_ * scale;
   limits.largest_sweep = largest_sweep_ * rad;
-  limits.steepest = std::tan(steepest_helix_ * rad);
   limits.mismatch = largest_mismatch * scale;
 
   const std::size_t left = std::min(run_.size() - first_, longest_run + 1);
   LongestCall call({&run_[first_], left}, &feeds_[first_ + 1], feed_drop_);
   call.tryStraight(limits.tolerance);
-  for (const ArcPlane plane : {ArcPlane::XY, ArcPlane::ZX, ArcPlane::YZ})
-    if (arcs_ && planes_.has(plane))
+  for (const ArcPlane plane : {ArcPlane::XY, ArcPlane::ZX, ArcPlane::YZ}) {
+    limits.steepest = helices_.of(plane) ? std::tan(steepest_helix_ * rad) : 0.0;
+    if (arcs_ && planes_.of(plane))
       call.tryArc(plane, limits);
+  }
 
   feed_ = call.feeds().choose(feed_);
   hand(call.count(), call.arc());

@@ -16,14 +16,15 @@
 
 namespace pointmill {
 
-/// @brief In which planes a control may be given arcs.
+/// @brief A yes or no for each plane.
 struct ArcPlanes {
   bool xy = true, zx = true, yz = true;
 
-  bool has(ArcPlane plane) const
+  bool& of(ArcPlane plane)
   {
     return plane == ArcPlane::XY ? xy : plane == ArcPlane::ZX ? zx : yz;
   }
+  bool of(ArcPlane plane) const { return ArcPlanes(*this).of(plane); }
 };
 
 /// @brief Stands between GCodeWriter and a printer and says the same path with fewer
@@ -49,7 +50,7 @@ public:
     double largest_deviation = 0.0; ///< proven bound of all calls [mm]
   };
 
-  /// @brief Hands on to @p next, which must outlive this; @p grid as GCodeWriter::getGrid().
+  /// @brief Hands on to @p next, which must outlive this; @p grid is that of the calls.
   ArcFitter(MachineCalls& next, const DecimalGrid& grid) : next_(next), grid_(grid) {}
 
   /// @brief How far the path may get from what came in [mm]. It adds to the chords' own
@@ -61,9 +62,12 @@ public:
   void setArcs(bool allowed) { arcs_ = allowed; }
   bool getArcs() const { return arcs_; }
 
-  /// @brief All three by default.
-  void setPlanes(const ArcPlanes& planes) { planes_ = planes; }
-  const ArcPlanes& getPlanes() const { return planes_; }
+  /// @brief In which planes the control takes arcs, and in which of these helices: in
+  /// all by default.
+  void setPlane(ArcPlane plane, bool allowed) { planes_.of(plane) = allowed; }
+  bool getPlane(ArcPlane plane) const { return planes_.of(plane); }
+  void setHelixPlane(ArcPlane plane, bool allowed) { helices_.of(plane) = allowed; }
+  bool getHelixPlane(ArcPlane plane) const { return helices_.of(plane); }
 
   /// @brief Largest sweep of one arc [deg]. Below 180 every control knows where the
   /// centre is.
@@ -79,8 +83,8 @@ public:
   double getSmallestRadius() const { return smallest_radius_; }
   double getLargestRadius() const { return largest_radius_; }
 
-  /// @brief Largest lead angle of a helix [deg], its climb against its plane; 0: arcs
-  /// stay in their plane. Controls that take F in the plane run faster by 1 / cos.
+  /// @brief Largest lead angle of a helix [deg], its climb against its plane. Controls
+  /// that take F in the plane run faster by 1 / cos.
   void setSteepestHelix(double degrees) { steepest_helix_ = degrees; }
   double getSteepestHelix() const { return steepest_helix_; }
 
@@ -97,6 +101,9 @@ public:
     v("xy_plane", planes_.xy, "", Range{0, 1}, "arcs in G17");
     v("zx_plane", planes_.zx, "", Range{0, 1}, "arcs in G18");
     v("yz_plane", planes_.yz, "", Range{0, 1}, "arcs in G19");
+    v("xy_helices", helices_.xy, "", Range{0, 1}, "helices along Z");
+    v("zx_helices", helices_.zx, "", Range{0, 1}, "helices along Y");
+    v("yz_helices", helices_.yz, "", Range{0, 1}, "helices along X");
     v("largest_sweep", largest_sweep_, "deg", Range{1, 350}, "of one arc");
     v("smallest_radius", smallest_radius_, "mm", Range{0.01, 1e5}, "of an arc");
     v("largest_radius", largest_radius_, "mm", Range{0.01, 1e5}, "of an arc");
@@ -132,7 +139,7 @@ private:
   DecimalGrid grid_;
   double tolerance_ = 0.003;
   bool arcs_ = true;
-  ArcPlanes planes_;
+  ArcPlanes planes_, helices_;
   double largest_sweep_ = 175.0;
   double smallest_radius_ = 0.05, largest_radius_ = 1000.0;
   double steepest_helix_ = 30.0;
