@@ -366,6 +366,8 @@ Eigen::Vector2d WordForm::centre(PlaneAxes axes, int column) const
 
 void WordForm::checkLeftOver() const
 {
+  if (block_.open('P') && (mode_ == 20 || mode_ == 30))
+    fail('P', "P (turns of an arc) is not supported");
   if (const char left = block_.leftOver())
     fail(left, wordName(left) + " without " + ownersOf(left));
 }
