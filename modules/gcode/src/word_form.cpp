@@ -9,7 +9,8 @@ namespace pointmill::gcode {
 
 namespace {
 
-constexpr double farthest = 1e5; // mm
+constexpr double farthest = 1e5;  // mm
+constexpr double shortest = 1e-9; // mm; less is the rounding of sums
 
 /// What a word belongs to that nothing in its block has taken.
 const char* ownersOf(char letter)
@@ -271,10 +272,14 @@ void WordForm::move()
     moveOnArc(to, column);
     return;
   }
-  const double feed = inverse_time_ ? feed_ * (to - machine_.at()).norm() : feed_;
-  // Nowhere in no time.
-  if (feed > 0)
-    machine_.straight(to, feed);
+  if (!inverse_time_) {
+    machine_.straight(to, feed_);
+    return;
+  }
+  // Nowhere in a given time is at no feed.
+  const double way = (to - machine_.at()).norm();
+  if (way > shortest)
+    machine_.straight(to, feed_ * way);
 }
 
 Eigen::Vector3d WordForm::target(bool zero_stays) const
