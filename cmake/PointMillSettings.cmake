@@ -22,6 +22,7 @@ find_package(Threads REQUIRED)
 find_package(PCL 1.13 REQUIRED COMPONENTS common kdtree search sample_consensus filters io)
 find_package(CLI11 REQUIRED)
 find_package(nlohmann_json REQUIRED)
+find_package(yaml-cpp REQUIRED)
 
 # Flags that every target shares. -ffp-contract=off: the same bits on every machine.
 add_library(pointmill_settings INTERFACE)

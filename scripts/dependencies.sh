@@ -12,7 +12,8 @@ set -euo pipefail
 # The one place that names the packages.
 packages_of() {
   case $1 in
-    build) echo g++ cmake ninja-build ccache libpcl-dev libcli11-dev nlohmann-json3-dev ;;
+    build) echo g++ cmake ninja-build ccache libpcl-dev libcli11-dev nlohmann-json3-dev \
+                libyaml-cpp-dev ;;
     test)  echo libgtest-dev linuxcnc-uspace ;; # for its interpreter, rs274
     check) echo clang-format-14 ;;
     tidy)  echo clang clang-tidy ;;

@@ -52,7 +52,7 @@ TEST(DecimalGrid, OtherCountsOfDecimals)
 {
   EXPECT_EQ(shown(DecimalGrid(1), DecimalGrid(1).nearest(-3.14159)), "-3.1");
   EXPECT_EQ(shown(DecimalGrid(6), DecimalGrid(6).nearest(-3.14159265)), "-3.141593");
-  EXPECT_THROW(DecimalGrid(0), pointmill::ParameterError);
+  EXPECT_THROW(DecimalGrid(-1), pointmill::ParameterError);
   EXPECT_THROW(DecimalGrid(7), pointmill::ParameterError);
 }
 

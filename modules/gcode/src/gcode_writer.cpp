@@ -1,13 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the PointMill authors
-#include "linuxcnc_printer.h"
+#include <pointmill/gcode/gcode_writer.h>
+
+#include "arc_limiter.h"
+#include "feed_limiter.h"
+#include "machining_plan.h"
+#include "program_files.h"
+#include "program_splitter.h"
 
 #include <pointmill/common/error.h>
-#include <pointmill/gcode/decimal_grid.h>
-#include <pointmill/gcode/gcode_writer.h>
 
 #include <algorithm>
 #include <cmath>
+#include <ostream>
+#include <streambuf>
+#include <utility>
 
 namespace pointmill {
 
@@ -15,233 +22,178 @@ using namespace gcode;
 
 namespace {
 
-constexpr double farthest = 1e5; // mm
+constexpr double inch = 25.4;        // mm
+constexpr double soft_landing = 1.0; // mm: the last of the way down is fed
 
-/// What the program has done so far, and what it may do next.
-class Plan {
-public:
-  Plan(const std::vector<Operation>& operations,
-       const GCodeWriter& settings,
-       MachineCalls& calls)
-      : operations_(operations), calls_(calls), grid_(settings.getDecimals()),
-        clearance_(grid_.atOrAbove(static_cast<float>(settings.getClearancePlane()))),
-        low_rapids_(settings.getLowRapids())
-  {
-  }
-
-  GCodeWriter::Statistics run(ProgramHead head)
-  {
-    if (operations_.empty())
-      throw DataError("GCodeWriter: there are no operations");
-    for (index_ = 0; index_ < operations_.size(); ++index_) {
-      checkOperation();
-      addTool(head.tools, operations_[index_].tool);
-    }
-    calls_.begin(head);
-    for (index_ = 0; index_ < operations_.size(); ++index_)
-      runOperation();
-    calls_.stop();
-    retract();
-    calls_.end();
-    return statistics_;
-  }
-
-private:
-  std::string where() const
-  {
-    return "GCodeWriter: operation " + std::to_string(index_ + 1) + " '" +
-           operations_[index_].name + "'";
-  }
-
-  [[noreturn]] void refuse(std::size_t point, const std::string& why) const
-  {
-    throw DataError(where() + ", point " + std::to_string(point) + ": " + why);
-  }
-
-  void checkOperation() const
-  {
-    const auto& operation = operations_[index_];
-    operation.tool.validate();
-    checkRange(where(), "spindle", operation.cutting.spindle, "rev/min", {1, 1e6});
-    if (operation.path.empty())
-      throw DataError(where() + ": its path is empty");
-  }
-
-  void addTool(std::vector<Tool>& tools, const Tool& tool) const
-  {
-    for (const auto& known : tools) {
-      if (known.number != tool.number)
-        continue;
-      if (known.diameter != tool.diameter ||
-          known.corner_radius != tool.corner_radius ||
-          known.flute_length != tool.flute_length || known.taper != tool.taper ||
-          known.tip_diameter != tool.tip_diameter)
-        throw ParameterError(where() + ": " + tool.describe() + " and " +
-                             known.describe() + " differ but share one number");
-      return;
-    }
-    tools.push_back(tool);
-  }
-
-  MachinePosition position(std::size_t i) const
-  {
-    const auto& p = operations_[index_].path[i];
-    // Written so that NaN fails too.
-    if (!(std::abs(p.x) <= farthest && std::abs(p.y) <= farthest &&
-          std::abs(p.z) <= farthest))
-      refuse(i, "a coordinate is not finite or beyond 100 m");
-    return {grid_.nearest(p.x), grid_.nearest(p.y), grid_.atOrAbove(p.z)};
-  }
-
-  std::int64_t feed(std::size_t i) const
-  {
-    const double value = operations_[index_].path[i].feed;
-    if (!(value >= 0.001 && value <= 1e6))
-      throw ParameterError(where() + ", point " + std::to_string(i) + ": feed is " +
-                           std::to_string(value) +
-                           " mm/min; it must lie in 0.001 .. 1000000 mm/min");
-    return feed_grid_.nearest(value);
-  }
-
-  void runOperation()
-  {
-    const auto& operation = operations_[index_];
-    const auto last = operation.path.size() - 1;
-    const auto first = position(0);
-    if (first.z < clearance_)
-      refuse(0, "the path begins below the clearance plane");
-    if (position(last).z < clearance_)
-      refuse(last, "the path ends below the clearance plane");
-
-    calls_.comment("Operation " + std::to_string(index_ + 1) + ": " + operation.name);
-    if (index_ == 0 || operation.tool.number != operations_[index_ - 1].tool.number)
-      startTool(operation, first);
-    else
-      continueTool(operation, first);
-    for (std::size_t i = 1; i <= last; ++i)
-      runPoint(i);
-  }
-
-  void startTool(const Operation& operation, const MachinePosition& first)
-  {
-    calls_.stop();
-    retract();
-    calls_.changeTool(operation.tool.number);
-    ++statistics_.tool_changes;
-    spindle_ = std::lround(operation.cutting.spindle);
-    calls_.spindle(spindle_);
-    coolant_ = operation.cutting.coolant;
-    if (coolant_)
-      calls_.coolant(true);
-    calls_.approach(first);
-    statistics_.rapids += 2;
-    at_ = first;
-  }
-
-  void continueTool(const Operation& operation, const MachinePosition& first)
-  {
-    const long spindle = std::lround(operation.cutting.spindle);
-    if (spindle != spindle_)
-      calls_.spindle(spindle_ = spindle);
-    if (operation.cutting.coolant != coolant_)
-      calls_.coolant(coolant_ = operation.cutting.coolant);
-    const auto top = std::max(at_.z, first.z);
-    if (!at_.sameColumn(first)) {
-      traverse({at_.x, at_.y, top});
-      traverse({first.x, first.y, top});
-    }
-    traverse(first);
-  }
-
-  void runPoint(std::size_t i)
-  {
-    const auto to = position(i);
-    switch (operations_[index_].path[i].getMotion()) {
-    case Motion::Rapid:
-    case Motion::Retract:
-      if (!to.sameColumn(at_)) {
-        if (to.z != at_.z)
-          refuse(i, "a rapid moves sideways and in Z at once");
-        if (to.z < clearance_ && !low_rapids_)
-          refuse(i, "a rapid moves sideways below the clearance plane");
-      }
-      if (to == at_)
-        ++statistics_.skipped;
-      else
-        traverse(to);
-      return;
-    case Motion::Plunge:
-    case Motion::Ramp:
-    case Motion::LeadIn:
-    case Motion::Cut:
-    case Motion::LeadOut:
-    case Motion::Link:
-      break;
-    default:
-      refuse(i, "its motion is unknown");
-    }
-    const auto rate = feed(i);
-    if (to == at_) {
-      ++statistics_.skipped;
-      return;
-    }
-    calls_.straight(to, rate);
-    ++statistics_.feed_moves;
-    at_ = to;
-  }
-
-  void traverse(const MachinePosition& to)
-  {
-    if (to == at_)
-      return;
-    calls_.traverse(to);
-    ++statistics_.rapids;
-    at_ = to;
-  }
-
-  void retract()
-  {
-    calls_.retract();
-    ++statistics_.rapids;
-  }
-
-  const std::vector<Operation>& operations_;
-  MachineCalls& calls_;
-  DecimalGrid grid_;
-  DecimalGrid feed_grid_{3};
-  std::int64_t clearance_;
-  bool low_rapids_;
-  std::size_t index_ = 0;
-  MachinePosition at_;
-  long spindle_ = 0;
-  bool coolant_ = false;
-  GCodeWriter::Statistics statistics_;
+/// Takes all and keeps nothing.
+class NullBuffer : public std::streambuf {
+  int_type overflow(int_type c) override { return traits_type::not_eof(c); }
+  std::streamsize xsputn(const char*, std::streamsize n) override { return n; }
 };
 
+[[noreturn]] void refuse(const std::string& what)
+{
+  throw ParameterError("GCodeWriter: " + what);
+}
+
+void checkName(const std::string& name)
+{
+  const bool good = !name.empty() && name.size() <= 32 &&
+                    std::all_of(name.begin(), name.end(), [](char c) {
+                      return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') ||
+                             (c >= '0' && c <= '9') || c == '_' || c == '-';
+                    });
+  if (!good)
+    refuse("the program's name '" + name +
+           "' must be 1 .. 32 letters, digits, '_' and '-'");
+}
+
+void checkPost(const GCodeWriter& writer)
+{
+  const Post& post = writer.getPost();
+  post.validate();
+  const auto retract = writer.getRetract();
+  if (retract != Retract::Clearance && post.retractLines(retract).empty())
+    refuse("the post " + post.name + " has no retract to " +
+           (retract == Retract::Home ? "the home position" : "the top of the machine"));
+  if (writer.getToolChange() == ToolChange::Pause && post.tool_pause.empty())
+    refuse("the post " + post.name + " cannot wait for a tool");
+}
+
+void check(const GCodeWriter& writer)
+{
+  validateParameters(writer, "GCodeWriter");
+  if (writer.getDecimals() != 0)
+    checkRange("GCodeWriter", "decimals", writer.getDecimals(), "", {3, 6});
+  if (writer.getMaxFeed() != 0)
+    checkRange("GCodeWriter", "max_feed", writer.getMaxFeed(), "mm/min", {0.001, 1e6});
+  checkName(writer.getProgramName());
+  checkPost(writer);
+}
+
+ProgramHead headOf(const GCodeWriter& writer)
+{
+  ProgramHead head;
+  head.name = writer.getProgramName();
+  head.comments = writer.getComments();
+  head.path_tolerance = writer.getPathTolerance();
+  head.stock = writer.getStock();
+  return head;
+}
+
+/// Says all to @p last, through the adapters.
+GCodeWriter::Statistics runThrough(const std::vector<GCodeWriter::Adapter>& adapters,
+                                   const GCodeWriter& writer,
+                                   MachiningPlan& plan,
+                                   MachineCalls& last)
+{
+  std::vector<std::unique_ptr<MachineCalls>> chain;
+  MachineCalls* next = &last;
+  for (auto adapter = adapters.rbegin(); adapter != adapters.rend(); ++adapter) {
+    chain.push_back((*adapter)(*next));
+    next = chain.back().get();
+  }
+  if (writer.getMaxFeed() == 0)
+    return plan.run(headOf(writer), *next);
+  FeedLimiter limiter(*next, DecimalGrid(3).nearest(writer.getMaxFeed()));
+  auto statistics = plan.run(headOf(writer), limiter);
+  statistics.slowed = limiter.slowed();
+  return statistics;
+}
+
 } // namespace
+
+DecimalGrid GCodeWriter::getGrid() const
+{
+  const bool inches = unit_ == Unit::Inch;
+  const int preferred = inches ? post_.decimals_inch : post_.decimals_mm;
+  return DecimalGrid(decimals_ != 0 ? decimals_ : preferred, inches ? inch : 1.0);
+}
 
 GCodeWriter::Statistics GCodeWriter::write(const std::vector<Operation>& operations,
                                            MachineCalls& calls) const
 {
-  validateParameters(*this, "GCodeWriter");
-  ProgramHead head;
-  head.comments = comments_;
-  head.path_tolerance = tolerance_;
+  check(*this);
+  MachiningPlan plan(operations, *this);
   // A dry run finds every refusal before the first call.
   MachineCalls nothing;
-  Plan(operations, *this, nothing).run(head);
-  return Plan(operations, *this, calls).run(head);
+  plan.run(headOf(*this), nothing);
+  return runThrough(adapters_, *this, plan, calls);
+}
+
+GCodeWriter::Statistics GCodeWriter::print(const std::vector<Operation>& operations,
+                                           const Opener& open,
+                                           std::size_t files) const
+{
+  PrinterSettings settings;
+  settings.unit = unit_;
+  settings.grid = getGrid();
+  settings.numbers = getLineNumbers();
+  settings.pause_for_tools = getToolChange() == ToolChange::Pause;
+  settings.retract = getRetract();
+  settings.corners = corners_;
+  settings.number = number_;
+  const bool of_one_tool = getToolChange() == ToolChange::Program;
+  ProgramFiles programs(open, post_, settings, {files, of_one_tool});
+
+  MachiningPlan plan(operations, *this);
+  Statistics statistics;
+  if (max_lines_ > 0) {
+    ProgramSplitter::Settings split;
+    split.max_lines = static_cast<std::size_t>(max_lines_);
+    split.clearance = settings.grid.atOrAbove(static_cast<float>(clearance_));
+    split.soft_landing = settings.grid.nearest(soft_landing);
+    ProgramSplitter splitter(programs, post_, split);
+    ArcLimiter limiter(splitter, post_, settings.grid);
+    statistics = runThrough(adapters_, *this, plan, limiter);
+  }
+  else {
+    ArcLimiter limiter(programs, post_, settings.grid);
+    statistics = runThrough(adapters_, *this, plan, limiter);
+  }
+  statistics.files = programs.files();
+  statistics.lines = programs.lines();
+  statistics.bytes = programs.bytes();
+  return statistics;
+}
+
+/// Finds every refusal before anything is written.
+std::size_t GCodeWriter::countFiles(const std::vector<Operation>& operations) const
+{
+  MachiningPlan plan(operations, *this);
+  MachineCalls nothing;
+  plan.run(headOf(*this), nothing);
+  const std::size_t parts = plan.parts().size();
+  if (max_lines_ == 0)
+    return parts;
+  NullBuffer buffer;
+  std::ostream null(&buffer);
+  // Any number but 1, so that the heads have the line that tells the number.
+  return print(
+             operations, [&null](const auto&) -> auto& { return null; }, 2)
+      .files;
+}
+
+GCodeWriter::Statistics GCodeWriter::write(const std::vector<Operation>& operations,
+                                           const Opener& open) const
+{
+  check(*this);
+  const std::size_t files = countFiles(operations);
+  if (number_ + files - 1 > 7999)
+    refuse("the number of the last program is beyond 7999");
+  return print(operations, open, files);
 }
 
 GCodeWriter::Statistics GCodeWriter::write(const std::vector<Operation>& operations,
                                            std::ostream& out) const
 {
-  validateParameters(*this, "GCodeWriter");
-  LinuxCncPrinter printer(out, decimals_);
-  auto statistics = write(operations, printer);
-  statistics.lines = printer.lines().lines();
-  statistics.bytes = printer.lines().bytes();
-  return statistics;
+  check(*this);
+  const std::size_t files = countFiles(operations);
+  if (files > 1)
+    refuse("the post " + post_.name + " needs " + std::to_string(files) +
+           " programs for this, not one");
+  return print(
+      operations, [&out](const auto&) -> auto& { return out; }, files);
 }
 
 } // namespace pointmill

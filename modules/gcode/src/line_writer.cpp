@@ -10,7 +10,8 @@
 
 namespace pointmill::gcode {
 
-LineWriter::LineWriter(std::ostream& out) : out_(out), buffer_(1 << 18)
+LineWriter::LineWriter(std::ostream& out, std::size_t limit)
+    : out_(out), limit_(limit), buffer_(1 << 18)
 {
 }
 
@@ -23,17 +24,27 @@ char* LineWriter::line()
 
 void LineWriter::endLine(char* end)
 {
-  *end++ = '\n';
-  const auto now = static_cast<std::size_t>(end - buffer_.data());
-  bytes_ += now - used_;
-  used_ = now;
+  const auto length = static_cast<std::size_t>(end - buffer_.data()) - used_;
+  if (length > limit_)
+    refuse(length);
+  *end = '\n';
+  bytes_ += length + 1;
+  used_ += length + 1;
   ++lines_;
 }
 
 void LineWriter::line(std::string_view text)
 {
-  text = text.substr(0, line_room - 1);
+  if (text.size() > limit_)
+    refuse(text.size());
   endLine(std::copy(text.begin(), text.end(), line()));
+}
+
+void LineWriter::refuse(std::size_t length) const
+{
+  throw Error("GCodeWriter: line " + std::to_string(lines_ + 1) + " has " +
+              std::to_string(length) + " characters; the control takes " +
+              std::to_string(limit_));
 }
 
 void LineWriter::flush()

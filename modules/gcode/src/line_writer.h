@@ -13,15 +13,16 @@ namespace pointmill::gcode {
 class LineWriter {
 public:
   /// @brief Room for one line.
-  static constexpr std::size_t line_room = 256;
+  static constexpr std::size_t line_room = 512;
 
-  explicit LineWriter(std::ostream& out);
+  /// @param limit longest line that the control takes, below line_room
+  LineWriter(std::ostream& out, std::size_t limit);
 
   /// @brief Where the next line goes; line_room characters are free.
   char* line();
-  /// @brief Ends the line whose text stops at @p end.
+  /// @brief Ends the line whose text stops at @p end. Throws Error for a line that the
+  /// control does not take.
   void endLine(char* end);
-  /// @brief A whole line, cut at line_room - 1 characters.
   void line(std::string_view text);
   /// @brief Throws Error when the stream does not take the bytes.
   void flush();
@@ -30,7 +31,10 @@ public:
   std::size_t bytes() const { return bytes_; }
 
 private:
+  [[noreturn]] void refuse(std::size_t length) const;
+
   std::ostream& out_;
+  std::size_t limit_;
   std::vector<char> buffer_;
   std::size_t used_ = 0;
   std::size_t lines_ = 0;
