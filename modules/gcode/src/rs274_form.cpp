@@ -177,7 +177,7 @@ void Rs274Form::shiftFrame(int column)
   }
 }
 
-GrblForm::GrblForm(Machine& machine) : Rs274Form(ProgramForm::Grbl, machine)
+GrblForm::GrblForm(MachineState& machine) : Rs274Form(ProgramForm::Grbl, machine)
 {
   machine_.setLength(true);
   machine_.setPath(0.0, 0.0);

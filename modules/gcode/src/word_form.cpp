@@ -54,7 +54,7 @@ const char* firstOffset(ProgramForm form)
 
 } // namespace
 
-WordForm::WordForm(ProgramForm form, Machine& machine)
+WordForm::WordForm(ProgramForm form, MachineState& machine)
     : machine_(machine), form_(form), table_(form), lexer_(form)
 {
 }
@@ -320,7 +320,7 @@ void WordForm::moveInMachine(double height_of_zero)
 
 void WordForm::moveOnArc(const Eigen::Vector3d& to, int column)
 {
-  const auto axes = PlaneAxes::of(plane_);
+  const auto axes = ArcAxes::of(plane_);
   const Eigen::Vector3d& at = machine_.at();
   const bool clockwise = mode_ == 20;
   Eigen::Vector2d middle;
@@ -342,7 +342,7 @@ void WordForm::moveOnArc(const Eigen::Vector3d& to, int column)
   machine_.arc(arc, inverse_time_ ? feed_ * arc.length() : feed_, place(column));
 }
 
-Eigen::Vector2d WordForm::centre(PlaneAxes axes, int column) const
+Eigen::Vector2d WordForm::centre(ArcAxes axes, int column) const
 {
   const auto letter = [](int axis) { return static_cast<char>('I' + axis); };
   if (block_.open(letter(axes.w)))
