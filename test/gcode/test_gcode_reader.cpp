@@ -1,38 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the PointMill authors
-#include <pointmill/common/error.h>
-#include <pointmill/gcode/gcode_reader.h>
+#include "reading.h"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
 #include <fstream>
 #include <limits>
-#include <sstream>
-#include <string>
 
 using pointmill::Program;
+using reading::read;
+using reading::refusal;
+using reading::way;
 
 namespace {
-
-Program read(const std::string& text)
-{
-  std::istringstream in(text);
-  return pointmill::readProgram(in);
-}
-
-std::string refusal(const std::string& text)
-{
-  try {
-    read(text);
-  }
-  catch (const pointmill::DataError& error) {
-    // PCL's exceptions may put ": " in front.
-    const std::string what = error.what();
-    return what.rfind(": ", 0) == 0 ? what.substr(2) : what;
-  }
-  return "accepted";
-}
 
 /// After a known position, in line 3.
 std::string refusalOf(const std::string& block)
@@ -353,4 +331,129 @@ TEST(GCodeReader, RefusesAStreamThatFails)
 {
   std::ifstream missing("/nonexistent/program.ngc");
   EXPECT_THROW(pointmill::readProgram(missing), pointmill::DataError);
+}
+
+TEST(GCodeReader, ReferencePoints)
+{
+  // Over the block's point to the machine's place, which is unknown but for its top.
+  EXPECT_EQ(way(read("G21 G90\nG28 G91 Z0.\nG90\nG0 X1 Y2\nZ5\nG28 Z9\nG0 Z5\n")),
+            "(? ? inf), (1 2 inf), (1 2 5), (1 2 9), (1 2 inf), (1 2 5)");
+  EXPECT_EQ(way(read("G21 G90\nG0 X1 Y2 Z5\nG91 G28 X3 Y0\nG90 G0 X1 Y2\nG28\n")),
+            "(1 2 5), (4 2 5), (? ? 5), (1 2 5), (? ? inf)");
+  // Of a second reference point no axis is known.
+  EXPECT_EQ(way(read("G21 G90\nG0 X1 Y2 Z5\nG30 P2 Z8\n")),
+            "(1 2 5), (1 2 8), (1 2 ?)");
+  EXPECT_EQ(refusal("G21 G91\nG28 Z1"),
+            "line 2, column 5: G91: Z from an unknown position");
+  EXPECT_REFUSED("G1 G28 Z0", "line 3, column 4: G28 beside G1");
+  EXPECT_REFUSED("G28.1", "line 3, column 1: G28.1 (setting of a reference point)");
+  EXPECT_REFUSED("G28 Z5\nG1 Z2", "line 4, column 1: G1 from an unknown position: Z");
+}
+
+TEST(GCodeReader, ShiftedFrames)
+{
+  const std::string head = "G21 G90 F100\nG0 X1 Y2 Z3\n";
+  EXPECT_EQ(way(read(head + "G92 X10 Z0\nG1 X11\nZ1\nG91 X1\n")),
+            "(1 2 3), 2 2 3, 2 2 4, 3 2 4");
+  EXPECT_EQ(way(read(head + "G92 X10\nG92.2\nG1 X5\nG92.3\nX12\nG92.1\nX7\n")),
+            "(1 2 3), 5 2 3, 3 2 3, 7 2 3");
+  // Absolute centres are in the shifted frame, too.
+  EXPECT_EQ(read(head + "G92 X0\nG90.1 G2 X10 Y2 I5 J2\n").moves.back().to,
+            Eigen::Vector3d(11, 2, 3));
+  // In inches.
+  EXPECT_EQ(way(read("G20 G90 F10\nG0 X1 Y1 Z1\nG92 X0\nG1 X1\n")),
+            "(25.4 25.4 25.4), 50.8 25.4 25.4");
+  // The part's frame is the one in force at the first move.
+  EXPECT_EQ(way(read("G21 G90 F100\nG92 X0 Y0 Z5\nG1 X1\n")), "1 0 5");
+  EXPECT_EQ(refusal("G21 G90 F100\nG92 X0 Y0 Z5\nG1 X1\nG92.1\n"),
+            "line 4, column 1: the part's frame is that of G92: where the one without "
+            "is, is unknown");
+  EXPECT_EQ(refusal("G21 G90 F100\nG92 X0 Y0 Z5\nG92.1\nG1 X1\n"),
+            "line 4, column 1: G1 from an unknown position: X is not set");
+  EXPECT_EQ(refusal("G21 G90\nG0 X0\nG92 Y0"),
+            "line 3, column 5: G92 at an unknown position");
+  EXPECT_REFUSED("G92.3", "line 3, column 1: G92.3 without a G92.2");
+  EXPECT_REFUSED("G92", "line 3, column 1: G92 without X, Y or Z");
+  EXPECT_REFUSED("G1 G92 X0", "line 3, column 4: G92 beside G1");
+}
+
+TEST(GCodeReader, InverseTime)
+{
+  const auto p = read("G21 G90 F100\nG0 X0 Y0 Z5\nG93 G1 X3 Y4 F2\nX3 F9\n"
+                      "G2 X13 I5 F3\nG94 G1 X0 F100\n");
+  // 5 mm in half a minute; nowhere needs no move; half a circle in a third.
+  EXPECT_DOUBLE_EQ(p.moves[1].feed, 10.0);
+  EXPECT_NEAR(p.moves[2].feed, 3 * pi * 5, 1e-9);
+  EXPECT_EQ(p.moves[2].line, 5u);
+  EXPECT_EQ(p.moves.back().feed, 100.0);
+  EXPECT_REFUSED("G93 G1 X1", "line 3, column 5: G1 in inverse time, G93, without F");
+  EXPECT_REFUSED("G93 G1 X1 F1\nX2", "line 4, column 1: G1 in inverse time");
+  EXPECT_REFUSED("G93 G1 X1 F1\nG94 X2", "line 4, column 5: G1 without a feed");
+  // A helix counts by its length.
+  const auto helix = read("G20 G90\nG0 X0 Y0 Z0\nG93 G3 X0 Y0 I1 Z2 F1\n");
+  EXPECT_NEAR(helix.moves.back().feed, 25.4 * std::hypot(2 * pi, 2), 1e-9);
+}
+
+TEST(GCodeReader, AbsoluteCentres)
+{
+  const auto half = arc("G90.1 G2 X10 Y0 I5 J0", 0, 0);
+  EXPECT_LT(deviation(half, {5, 0}, 5), 1.0001e-4);
+  EXPECT_EQ(arc("G90.1 G2 X10 Y0 I5 J0\nG91.1 G2 X20 I5", 0, 0).moves.back().to,
+            Eigen::Vector3d(20, 0, 5));
+  EXPECT_REFUSED("G90.1 G2 X10 I5", "line 3, column 7: an arc in G90.1 without J");
+}
+
+TEST(GCodeReader, WorkOffsets)
+{
+  for (const char* const offset :
+       {"G54", "G55", "G59", "G59.3", "G54.1 P12", "G154 P99"})
+    EXPECT_EQ(
+        way(read(std::string("G21 ") + offset + "\nG0 X1 Y2 Z3\n" + offset + "\nX2\n")),
+        "(1 2 3), (2 2 3)")
+        << offset;
+  // Without a move they change nothing.
+  EXPECT_EQ(way(read("G21 G54\nG53 G0 Z0\nG55\nG0 X1\n")), "(? ? inf), (1 ? inf)");
+  EXPECT_REFUSED("G54.1 P1", "line 3, column 1: G54.1 P1 after G54");
+  EXPECT_REFUSED("G54.1", "line 3, column 1: G54.1 needs P");
+  EXPECT_REFUSED("G154 P0", "line 3, column 6: P must be a whole number, 1 .. 300");
+}
+
+TEST(GCodeReader, WhatTheMachineDecidesIsNotStated)
+{
+  const std::string head = "G21 G90 F100\nG0 X0 Y0 Z5\n";
+  EXPECT_EQ(read(head + "G61\nG1 X1\n").blend, 0);
+  EXPECT_EQ(read(head + "G1 X1\nG61\nG1 X2\n").blend, -1);
+  EXPECT_EQ(read(head + "G187 P3 E0.05\nG1 X1\nG187\n").blend, 0.05);
+  EXPECT_EQ(read(head + "G187 P3 E0.05\nG1 X1\nG187\nX2\n").blend, -1);
+  EXPECT_EQ(read(head + "G187 P3\nG1 X1\n").blend, -1);
+  EXPECT_EQ(read(head + "G61\nG5.1 Q1\nG1 X1\nG05.1 Q0\n").blend, -1);
+  EXPECT_EQ(read("G20 G90 F9\nG0 X0 Y0 Z5\nG187 E0.001\nG1 X1\n").blend, 0.0254);
+  EXPECT_REFUSED("G187 E-1", "line 3, column 6: E must not be negative");
+  EXPECT_REFUSED("G5.1", "line 3, column 1: G5.1 (spline)");
+  EXPECT_REFUSED("G5.1 X1 Q1", "line 3, column 1: G5.1 (spline)");
+}
+
+TEST(GCodeReader, NumbersOfProgramsAndBlocks)
+{
+  const auto p = read("%\nO1001 (PART)\nN10 G21 G90\nN20 G00 X1 Y2 Z3\n"
+                      "N30 (A COMMENT)\nN40\nN10 M30\n%\n");
+  EXPECT_EQ(p.moves.size(), 1u);
+  EXPECT_TRUE(p.ended);
+  EXPECT_EQ(read("O01001 (haas) G21\nG0 X1\n").moves.size(), 1u);
+  EXPECT_REFUSED("O2", "line 3, column 1: O (subprogram)");
+  EXPECT_REFUSED("O2 if [1]", "line 3, column 1: O (subroutine or program number)");
+  EXPECT_REFUSED("O<name> sub", "line 3, column 1: O (subroutine or program number)");
+  EXPECT_REFUSED("N-1", "line 3, column 1: N must not be negative");
+}
+
+TEST(GCodeReader, AToolThatIsMountedAlready)
+{
+  std::istringstream in("G21 G90 F100\nS1000 M3\nG0 X0 Y0 Z5\nG1 Z0\n");
+  pointmill::GCodeReader reader;
+  reader.setMountedTool(4);
+  const auto p = reader.read(in);
+  EXPECT_EQ(p.moves.back().tool, 4);
+  EXPECT_TRUE(p.moves.back().length_offset);
+  EXPECT_TRUE(p.tools.empty());
+  EXPECT_FALSE(read("G21 G90 F100\nG0 X0 Y0 Z5\nG1 Z0\n").moves.back().length_offset);
 }

@@ -16,7 +16,7 @@ constexpr double rounding = 0.005;
 
 } // namespace
 
-PlaneAxes PlaneAxes::of(int plane)
+ArcAxes ArcAxes::of(int plane)
 {
   switch (plane) {
   case 180:
@@ -31,7 +31,7 @@ PlaneAxes PlaneAxes::of(int plane)
 Arc::Arc(const Eigen::Vector3d& from,
          const Eigen::Vector3d& to,
          const Eigen::Vector2d& centre,
-         PlaneAxes axes,
+         ArcAxes axes,
          bool clockwise)
     : from_(from), to_(to), centre_(centre), axes_(axes), clockwise_(clockwise)
 {
@@ -50,7 +50,7 @@ Arc::Arc(const Eigen::Vector3d& from,
 
 Arc Arc::turned(const Eigen::Vector3d& from,
                 const Eigen::Vector2d& centre,
-                PlaneAxes axes,
+                ArcAxes axes,
                 double sweep,
                 double rise)
 {

@@ -11,10 +11,10 @@ namespace pointmill::gcode {
 
 /// @brief Axes of a plane by its G word in tenths: turning from @ref u to @ref v is
 /// counter-clockwise, @ref w goes along.
-struct PlaneAxes {
+struct ArcAxes {
   int u = 0, v = 1, w = 2;
 
-  static PlaneAxes of(int plane);
+  static ArcAxes of(int plane);
 };
 
 /// @brief An arc or helix. Where both radii differ the radius changes evenly.
@@ -24,14 +24,14 @@ public:
   Arc(const Eigen::Vector3d& from,
       const Eigen::Vector3d& to,
       const Eigen::Vector2d& centre,
-      PlaneAxes axes,
+      ArcAxes axes,
       bool clockwise);
 
   /// @brief From @p from by @p sweep [rad] about @p centre, and by @p rise along the
   /// plane's w; counter-clockwise where @p sweep is positive.
   static Arc turned(const Eigen::Vector3d& from,
                     const Eigen::Vector2d& centre,
-                    PlaneAxes axes,
+                    ArcAxes axes,
                     double sweep,
                     double rise);
 
@@ -49,7 +49,7 @@ public:
 private:
   Eigen::Vector3d from_, to_;
   Eigen::Vector2d centre_;
-  PlaneAxes axes_;
+  ArcAxes axes_;
   bool clockwise_;
   double start_radius_ = 0.0, end_radius_ = 0.0;
   double start_angle_ = 0.0, sweep_ = 0.0;

@@ -50,6 +50,8 @@ void Block::addWord(char letter, double value, int column, Frame frame)
 {
   if (letter == 'N' && !isEmpty())
     fail(column, "N must be the first word");
+  if (letter == 'N' && value < 0)
+    fail(column, "N must not be negative");
   if (has(letter))
     fail(column, "a second " + wordName(letter) + " word");
   present_ |= bit(letter);

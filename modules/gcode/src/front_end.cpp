@@ -12,7 +12,7 @@
 
 namespace pointmill::gcode {
 
-std::unique_ptr<FrontEnd> frontEnd(ProgramForm form, Machine& machine)
+std::unique_ptr<FrontEnd> frontEnd(ProgramForm form, MachineState& machine)
 {
   switch (form) {
   case ProgramForm::Rs274:

@@ -2,7 +2,7 @@
 // Copyright (c) 2026, the PointMill authors
 #pragma once
 
-#include "machine.h"
+#include "machine_state.h"
 
 #include <pointmill/gcode/gcode_reader.h>
 
@@ -26,6 +26,6 @@ public:
 };
 
 /// @brief That of @p form.
-std::unique_ptr<FrontEnd> frontEnd(ProgramForm form, Machine& machine);
+std::unique_ptr<FrontEnd> frontEnd(ProgramForm form, MachineState& machine);
 
 } // namespace pointmill::gcode

@@ -2,7 +2,7 @@
 // Copyright (c) 2026, the PointMill authors
 #include "front_end.h"
 #include "line_reader.h"
-#include "machine.h"
+#include "machine_state.h"
 
 #include <pointmill/common/parameters.h>
 #include <pointmill/gcode/gcode_reader.h>
@@ -22,7 +22,8 @@ Program interpret(LineReader& lines,
   checkRange("GCodeReader", "chord error", reader.getChordError(), "mm", {1e-6, 1});
   checkRange("GCodeReader", "mounted tool", reader.getMountedTool(), "", {0, 999999});
   Program program;
-  Machine machine(program, handler, reader.getChordError(), reader.getMountedTool());
+  MachineState machine(
+      program, handler, reader.getChordError(), reader.getMountedTool());
   const auto front_end = frontEnd(reader.getForm(), machine);
   std::string_view text;
   bool goes_on = true;

@@ -128,7 +128,7 @@ void HeidenhainIsoForm::setPole()
   }
 }
 
-Eigen::Vector2d HeidenhainIsoForm::centre(PlaneAxes axes, int column) const
+Eigen::Vector2d HeidenhainIsoForm::centre(ArcAxes axes, int column) const
 {
   const Eigen::Vector2d pole(pole_[axes.u], pole_[axes.v]);
   if (!pole.allFinite())

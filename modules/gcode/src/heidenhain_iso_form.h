@@ -12,7 +12,7 @@ namespace pointmill::gcode {
 /// length, and arcs turn about a pole that was set before.
 class HeidenhainIsoForm : public WordForm {
 public:
-  explicit HeidenhainIsoForm(Machine& machine)
+  explicit HeidenhainIsoForm(MachineState& machine)
       : WordForm(ProgramForm::HeidenhainIso, machine)
   {
   }
@@ -26,7 +26,7 @@ protected:
   void setPath() override;
   void obeyNonModal() override;
   void setPole() override;
-  Eigen::Vector2d centre(PlaneAxes axes, int column) const override;
+  Eigen::Vector2d centre(ArcAxes axes, int column) const override;
 
 private:
   bool readHead(std::string_view text, std::size_t line);

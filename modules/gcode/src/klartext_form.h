@@ -15,7 +15,7 @@ namespace pointmill::gcode {
 /// @brief Heidenhain's conversational programs.
 class KlartextForm : public FrontEnd {
 public:
-  explicit KlartextForm(Machine& machine) : machine_(machine) {}
+  explicit KlartextForm(MachineState& machine) : machine_(machine) {}
 
   bool obey(std::string_view text, std::size_t line) override;
   void finish() const override;
@@ -65,7 +65,7 @@ private:
   Eigen::Vector2d poleFor(const Word& word) const;
   void checkArc(const Word& word, const Path& path) const;
 
-  Machine& machine_;
+  MachineState& machine_;
   KlartextLine line_;
   int number_ = -1; // of the last block
   std::string name_;

@@ -191,7 +191,7 @@ void KlartextForm::setPole(const Word& word)
   if (x + y + z != 0 && x + y + z != 2)
     line_.fail(word, "CC needs two axes, or none");
   plane_ = z ? (x ? 180 : 190) : 170;
-  const auto axes = PlaneAxes::of(plane_);
+  const auto axes = ArcAxes::of(plane_);
   pole_.setConstant(unknown);
   for (const int axis : {axes.u, axes.v})
     pole_[axis] =
@@ -200,7 +200,7 @@ void KlartextForm::setPole(const Word& word)
 
 Eigen::Vector2d KlartextForm::poleFor(const Word& word) const
 {
-  const auto axes = PlaneAxes::of(plane_);
+  const auto axes = ArcAxes::of(plane_);
   const Eigen::Vector2d pole(pole_[axes.u], pole_[axes.v]);
   if (!pole.allFinite())
     line_.fail(word, std::string(word.text) + " without a pole, CC, before it");
@@ -222,7 +222,7 @@ void KlartextForm::checkArc(const Word& word, const Path& path) const
 void KlartextForm::moveOnArc(const Word& word, const Path& path)
 {
   checkArc(word, path);
-  const auto axes = PlaneAxes::of(plane_);
+  const auto axes = ArcAxes::of(plane_);
   const auto pole = poleFor(word);
   if (path.axes[axes.w].column)
     refuse({line_.line(), path.axes[axes.w].column}, "C leaves the plane of its pole");
@@ -247,7 +247,7 @@ void KlartextForm::moveByRadius(const Word& word, const Path& path)
       centreByRadius(at.head<2>(), to.head<2>(), *path.radius, clockwise);
   if (!centre)
     line_.fail(word, "R is too small to reach the end of the arc");
-  machine_.arc(Arc(at, to, *centre, PlaneAxes::of(170), clockwise),
+  machine_.arc(Arc(at, to, *centre, ArcAxes::of(170), clockwise),
                feed_,
                {line_.line(), word.column});
   finishPath(path);
@@ -257,7 +257,7 @@ void KlartextForm::moveByRadius(const Word& word, const Path& path)
 void KlartextForm::moveByAngle(const Word& word, const Path& path)
 {
   checkArc(word, path);
-  const auto axes = PlaneAxes::of(plane_);
+  const auto axes = ArcAxes::of(plane_);
   const auto pole = poleFor(word);
   for (const int axis : {axes.u, axes.v})
     if (path.axes[axis].column)

@@ -78,7 +78,7 @@ void Rs274Form::obeyNonModal()
   switch (word.tenths) {
   case 51:
     // How far look-ahead may leave the path is a parameter of the machine.
-    if (!block().open('Q'))
+    if (!block().open('Q') || block().firstOf("XYZIJK"))
       fail(word.column, "G5.1 (spline) is not supported");
     whole('Q', 0, 1);
     if (block().open('R'))
@@ -177,7 +177,7 @@ void Rs274Form::shiftFrame(int column)
   }
 }
 
-GrblForm::GrblForm(Machine& machine) : Rs274Form(ProgramForm::Grbl, machine)
+GrblForm::GrblForm(MachineState& machine) : Rs274Form(ProgramForm::Grbl, machine)
 {
   machine_.setLength(true);
   machine_.setPath(0.0, 0.0);

@@ -9,10 +9,10 @@ namespace pointmill::gcode {
 /// @brief RS-274 as LinuxCNC understands it, with what Fanuc and Haas have besides.
 class Rs274Form : public WordForm {
 public:
-  explicit Rs274Form(Machine& machine) : Rs274Form(ProgramForm::Rs274, machine) {}
+  explicit Rs274Form(MachineState& machine) : Rs274Form(ProgramForm::Rs274, machine) {}
 
 protected:
-  Rs274Form(ProgramForm form, Machine& machine) : WordForm(form, machine) {}
+  Rs274Form(ProgramForm form, MachineState& machine) : WordForm(form, machine) {}
 
   void dwell() override;
   void setTool() override;
@@ -40,7 +40,7 @@ private:
 /// the operator touches off.
 class GrblForm : public Rs274Form {
 public:
-  explicit GrblForm(Machine& machine);
+  explicit GrblForm(MachineState& machine);
 
 protected:
   void setTool() override;

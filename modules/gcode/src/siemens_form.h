@@ -9,7 +9,9 @@ namespace pointmill::gcode {
 /// @brief Siemens 840D.
 class SiemensForm : public WordForm {
 public:
-  explicit SiemensForm(Machine& machine) : WordForm(ProgramForm::Siemens, machine) {}
+  explicit SiemensForm(MachineState& machine) : WordForm(ProgramForm::Siemens, machine)
+  {
+  }
 
 protected:
   void dwell() override;

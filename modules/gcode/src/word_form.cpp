@@ -9,7 +9,8 @@ namespace pointmill::gcode {
 
 namespace {
 
-constexpr double farthest = 1e5; // mm
+constexpr double farthest = 1e5;  // mm
+constexpr double shortest = 1e-9; // mm; less is the rounding of sums
 
 /// What a word belongs to that nothing in its block has taken.
 const char* ownersOf(char letter)
@@ -53,7 +54,7 @@ const char* firstOffset(ProgramForm form)
 
 } // namespace
 
-WordForm::WordForm(ProgramForm form, Machine& machine)
+WordForm::WordForm(ProgramForm form, MachineState& machine)
     : machine_(machine), form_(form), table_(form), lexer_(form)
 {
 }
@@ -271,10 +272,14 @@ void WordForm::move()
     moveOnArc(to, column);
     return;
   }
-  const double feed = inverse_time_ ? feed_ * (to - machine_.at()).norm() : feed_;
-  // Nowhere in no time.
-  if (feed > 0)
-    machine_.straight(to, feed);
+  if (!inverse_time_) {
+    machine_.straight(to, feed_);
+    return;
+  }
+  // Nowhere in a given time is at no feed.
+  const double way = (to - machine_.at()).norm();
+  if (way > shortest)
+    machine_.straight(to, feed_ * way);
 }
 
 Eigen::Vector3d WordForm::target(bool zero_stays) const
@@ -315,7 +320,7 @@ void WordForm::moveInMachine(double height_of_zero)
 
 void WordForm::moveOnArc(const Eigen::Vector3d& to, int column)
 {
-  const auto axes = PlaneAxes::of(plane_);
+  const auto axes = ArcAxes::of(plane_);
   const Eigen::Vector3d& at = machine_.at();
   const bool clockwise = mode_ == 20;
   Eigen::Vector2d middle;
@@ -337,7 +342,7 @@ void WordForm::moveOnArc(const Eigen::Vector3d& to, int column)
   machine_.arc(arc, inverse_time_ ? feed_ * arc.length() : feed_, place(column));
 }
 
-Eigen::Vector2d WordForm::centre(PlaneAxes axes, int column) const
+Eigen::Vector2d WordForm::centre(ArcAxes axes, int column) const
 {
   const auto letter = [](int axis) { return static_cast<char>('I' + axis); };
   if (block_.open(letter(axes.w)))
@@ -366,6 +371,8 @@ Eigen::Vector2d WordForm::centre(PlaneAxes axes, int column) const
 
 void WordForm::checkLeftOver() const
 {
+  if (block_.open('P') && (mode_ == 20 || mode_ == 30))
+    fail('P', "P (turns of an arc) is not supported");
   if (const char left = block_.leftOver())
     fail(left, wordName(left) + " without " + ownersOf(left));
 }

@@ -18,7 +18,7 @@ namespace pointmill::gcode {
 /// hooks.
 class WordForm : public FrontEnd {
 public:
-  WordForm(ProgramForm form, Machine& machine);
+  WordForm(ProgramForm form, MachineState& machine);
 
   bool obey(std::string_view text, std::size_t line) override;
 
@@ -40,7 +40,7 @@ protected:
   /// @brief Takes centres that stay for later blocks.
   virtual void setPole() {}
   /// @brief The centre of an arc without R, along the plane's axes.
-  virtual Eigen::Vector2d centre(PlaneAxes axes, int column) const;
+  virtual Eigen::Vector2d centre(ArcAxes axes, int column) const;
   /// @brief Before a feed move that starts at @p column of the block.
   virtual void checkTool(int /*column*/) const {}
   /// @brief M0 and M1.
@@ -79,7 +79,7 @@ protected:
   bool incremental() const { return incremental_; }
   void setUnit(bool inches);
 
-  Machine& machine_;
+  MachineState& machine_;
 
 private:
   bool execute();

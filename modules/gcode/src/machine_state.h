@@ -24,12 +24,12 @@ constexpr double inch = 25.4; // mm
 /// @brief The machine that a program runs on: where its tool is, what is switched on,
 /// and what becomes of the program's moves. It knows no words; the forms of programs
 /// tell it what theirs mean. Lengths are millimetres of the part frame.
-class Machine {
+class MachineState {
 public:
-  Machine(Program& program,
-          const GCodeReader::MoveHandler& handler,
-          double chord_error,
-          int mounted_tool);
+  MachineState(Program& program,
+               const GCodeReader::MoveHandler& handler,
+               double chord_error,
+               int mounted_tool);
 
   /// @brief What follows stands in this line.
   void setLine(std::size_t line) { line_ = line; }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the PointMill authors
-#include "machine.h"
+#include "machine_state.h"
 
 #include "operation_comment.h"
 
@@ -9,16 +9,16 @@
 
 namespace pointmill::gcode {
 
-Machine::Machine(Program& program,
-                 const GCodeReader::MoveHandler& handler,
-                 double chord_error,
-                 int mounted_tool)
+MachineState::MachineState(Program& program,
+                           const GCodeReader::MoveHandler& handler,
+                           double chord_error,
+                           int mounted_tool)
     : program_(program), handler_(handler), chord_error_(chord_error),
       tool_(mounted_tool), tool_known_(mounted_tool != 0), length_(mounted_tool != 0)
 {
 }
 
-void Machine::comment(std::string_view text)
+void MachineState::comment(std::string_view text)
 {
   if (const auto name = operationName(text))
     beginSection(*name, true);
@@ -26,7 +26,7 @@ void Machine::comment(std::string_view text)
 
 /// Comment and tool change, in either order and with rapids alone between them, begin
 /// one section.
-void Machine::beginSection(std::string_view name, bool by_comment)
+void MachineState::beginSection(std::string_view name, bool by_comment)
 {
   const bool goes_on =
       !section_cut_ && (by_comment ? section_tooled_ && !section_named_
@@ -42,7 +42,7 @@ void Machine::beginSection(std::string_view name, bool by_comment)
   (by_comment ? section_named_ : section_tooled_) = true;
 }
 
-void Machine::selectOffset(const std::string& name, Place place)
+void MachineState::selectOffset(const std::string& name, Place place)
 {
   if (framed_ && name != offset_)
     refuse(place,
@@ -51,14 +51,14 @@ void Machine::selectOffset(const std::string& name, Place place)
   offset_ = name;
 }
 
-void Machine::fixFrame(const char* offset)
+void MachineState::fixFrame(const char* offset)
 {
   framed_ = true;
   if (offset_.empty())
     offset_ = offset;
 }
 
-void Machine::shiftFrame(int axis, double value, Place place)
+void MachineState::shiftFrame(int axis, double value, Place place)
 {
   if (!framed_) {
     // The frame of the first move is that of the part, whatever it is shifted by.
@@ -71,7 +71,7 @@ void Machine::shiftFrame(int axis, double value, Place place)
   shift_[axis] = at_[axis] - value;
 }
 
-void Machine::dropShift(bool for_good, Place place)
+void MachineState::dropShift(bool for_good, Place place)
 {
   if (shifted_at_first_) {
     if (framed_)
@@ -85,14 +85,14 @@ void Machine::dropShift(bool for_good, Place place)
   shift_.setZero();
 }
 
-void Machine::resumeShift(Place place)
+void MachineState::resumeShift(Place place)
 {
   if (!shift_rests_)
     refuse(place, "G92.3 without a G92.2 before it");
   shift_ = resting_shift_;
 }
 
-void Machine::changeTool(int number, bool length)
+void MachineState::changeTool(int number, bool length)
 {
   tool_ = number;
   tool_known_ = true;
@@ -105,20 +105,20 @@ void Machine::changeTool(int number, bool length)
   beginSection({}, false);
 }
 
-void Machine::setLength(bool in_force)
+void MachineState::setLength(bool in_force)
 {
   length_ = in_force;
   loseLength();
 }
 
 /// The tip's Z after another tool or offset is unknown, unless it is above all.
-void Machine::loseLength()
+void MachineState::loseLength()
 {
   if (at_.z() != unbounded)
     at_.z() = unknown;
 }
 
-void Machine::setPath(double blend, double merge)
+void MachineState::setPath(double blend, double merge)
 {
   path_stated_ = true;
   if (!path_left_)
@@ -126,7 +126,7 @@ void Machine::setPath(double blend, double merge)
   program_.merge = std::max(program_.merge, merge);
 }
 
-void Machine::refuseFeedMove(const char* word, Place place) const
+void MachineState::refuseFeedMove(const char* word, Place place) const
 {
   for (int axis = 0; axis < 3; ++axis)
     if (!std::isfinite(at_[axis]))
@@ -136,7 +136,7 @@ void Machine::refuseFeedMove(const char* word, Place place) const
   refuse(place, std::string(word) + " without a feed: no F so far");
 }
 
-void Machine::arc(const Arc& arc, double feed, Place place)
+void MachineState::arc(const Arc& arc, double feed, Place place)
 {
   const double a = arc.startRadius(), b = arc.endRadius(), off = std::abs(a - b);
   if (!(std::min(a, b) > 1e-6))
@@ -151,7 +151,7 @@ void Machine::arc(const Arc& arc, double feed, Place place)
     emit(arc.point(i, n), false, feed);
 }
 
-void Machine::toMachinePlace(bool x, bool y, bool z, double height)
+void MachineState::toMachinePlace(bool x, bool y, bool z, double height)
 {
   Eigen::Vector3d to = at_;
   if (x)
@@ -163,7 +163,7 @@ void Machine::toMachinePlace(bool x, bool y, bool z, double height)
   emit(to, true, 0.0);
 }
 
-void Machine::emit(const Eigen::Vector3d& to, bool rapid, double feed)
+void MachineState::emit(const Eigen::Vector3d& to, bool rapid, double feed)
 {
   ProgramMove m;
   m.from = at_;
