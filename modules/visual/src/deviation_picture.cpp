@@ -196,16 +196,23 @@ void drawScale(Canvas& canvas,
     canvas.fill({r.x + x, top - 4 - height, 1, height}, mix(colour, kInk, 0.12f));
   }
   const TextStyle style{16, false, kInk};
-  const auto mark = [&](double deviation, const std::string& label) {
+  // Left of its tick, about it, or right of it.
+  const auto mark = [&](double deviation, double aside, const std::string& label) {
     const int x = r.x + static_cast<int>(std::lround(share(deviation) * r.width));
     canvas.fill({x - 1, top - 3, 2, bar + 9}, kInk);
-    drawText(canvas, x - textWidth(label, style) / 2, top + bar + 18, label, style);
+    const int half = textWidth(label, style) / 2;
+    drawText(canvas,
+             x - half + static_cast<int>(aside * (half - 4)),
+             top + bar + 18,
+             label,
+             style);
   };
-  mark(0, "0");
-  mark(-scale.tolerance, text("%.3g", -scale.tolerance));
-  mark(scale.tolerance, text("+%.3g", scale.tolerance));
-  mark(-scale.range, text("%.3g", -scale.range));
-  mark(scale.range, text("+%.3g mm", scale.range));
+  const int between = static_cast<int>(r.width * scale.tolerance / (2 * scale.range));
+  mark(0, 0, between > 2 * style.size ? "0" : ""); // else told by what is about it
+  mark(-scale.tolerance, -1, text("%.3g", -scale.tolerance));
+  mark(scale.tolerance, 1, text("+%.3g", scale.tolerance));
+  mark(-scale.range, 0, text("%.3g", -scale.range));
+  mark(scale.range, 0, text("+%.3g mm", scale.range));
 }
 
 } // namespace

@@ -40,6 +40,8 @@ Eigen::AlignedBox2d boxOf(const FindingScene& scene, const std::optional<Grid>& 
     if (mark.place && mark.place->allFinite() &&
         (box.isEmpty() || box.exteriorDistance(Place(mark.place->head<2>())) < near))
       all.extend(Place(mark.place->head<2>()));
+  if (all.isEmpty()) // nothing has a place
+    all.extend(Place(0, 0));
   const double room = std::max(0.03 * all.sizes().maxCoeff(), 0.5);
   return {all.min() - Place(room, room), all.max() + Place(room, room)};
 }

@@ -95,7 +95,9 @@ double Section::around() const
   const Eigen::Vector3d size = scene_.stock.max - scene_.stock.min;
   if (size.head<2>().minCoeff() > 0)
     return 0.1 * size.head<2>().norm();
-  return scene_.part ? 0.1 * boxOf(*scene_.part).sizes().head<2>().norm() : 5.0;
+  const Eigen::AlignedBox3d box =
+      scene_.part ? boxOf(*scene_.part) : Eigen::AlignedBox3d();
+  return box.isEmpty() ? 5.0 : std::max(0.1 * box.sizes().head<2>().norm(), 1.0);
 }
 
 void Section::measurePart()
@@ -105,7 +107,8 @@ void Section::measurePart()
   eachPoint(scene_.part, [&](const Eigen::Vector3d& p) {
     count += ((p - *mark_.place).head<2>().array().abs() < half).all();
   });
-  spacing_ = 2 * half / std::sqrt(static_cast<double>(std::max<std::size_t>(count, 4)));
+  if (count > 0)
+    spacing_ = 2 * half / std::sqrt(std::max(static_cast<double>(count), 4.0));
   reach_ = 0.75 * spacing_;
 }
 

@@ -79,7 +79,8 @@ class Painter {
 public:
   Painter(Canvas& canvas, const Plan& plan, const Section& section, int unit)
       : canvas_(canvas), plan_(plan), section_(section), unit_(unit),
-        thick_(std::max(1.5f, 0.22f * static_cast<float>(unit)))
+        thick_(std::max(1.5f, 0.22f * static_cast<float>(unit))),
+        points_(section.points(grown()))
   {
   }
   void run()
@@ -162,12 +163,11 @@ private:
 
   void drawPoints()
   {
-    const auto points = section_.points(grown());
     const float apart = plan_.px(section_.reach());
     const auto unit = static_cast<float>(unit_);
     const float size = std::clamp(0.5f * apart, 0.35f * unit, 0.9f * unit);
     for (const bool inside : {false, true})
-      for (const auto& p : points)
+      for (const auto& p : points_)
         if (p.inside == inside) {
           const Eigen::Vector2f at = plan_.px(p.at);
           if (inside)
@@ -210,56 +210,91 @@ private:
     if (length > 4 * head) {
       arrow(canvas_, a, -along, head, thick_);
       arrow(canvas_, b, along, head, thick_);
+      drawLength(a, b, millimetres(d.length));
+      return;
     }
-    else { // from outside, where there is no room between
-      line(canvas_, a - 3 * head * along, a, thick_, kInk);
-      line(canvas_, b, b + 3 * head * along, thick_, kInk);
-      arrow(canvas_, a, along, head, thick_);
-      arrow(canvas_, b, -along, head, thick_);
-    }
-    drawLength(0.5f * (a + b), across, millimetres(d.length));
+    // From outside, where there is no room between.
+    const Eigen::Vector2f before = a - 3 * head * along, after = b + 3 * head * along;
+    line(canvas_, before, a, thick_, kInk);
+    line(canvas_, b, after, thick_, kInk);
+    arrow(canvas_, a, along, head, thick_);
+    arrow(canvas_, b, -along, head, thick_);
+    drawLength(before, after, millimetres(d.length));
   }
 
-  void drawLength(const Eigen::Vector2f& at,
-                  const Eigen::Vector2f& across,
+  /// Writes @p text beside the dimension line from @p a to @p b, where it covers
+  /// neither the line nor, if there is such a place, points.
+  void drawLength(const Eigen::Vector2f& a,
+                  const Eigen::Vector2f& b,
                   const std::string& text)
   {
     const TextStyle style{unit_ * 12 / 5, true, kInk};
     const auto unit = static_cast<float>(unit_);
-    const float w = 0.5f * static_cast<float>(textWidth(text, style)) + unit;
-    const float h = 1.8f * unit;
-    Eigen::Vector2f best = at;
-    bool found = false;
-    // Below it first: there is less to see in the material.
-    for (const float away : {6.f, 9.f, 4.f})
-      for (const Eigen::Vector2f& way : {Eigen::Vector2f(0.7f, 0.7f),
-                                         Eigen::Vector2f(-0.7f, 0.7f),
-                                         Eigen::Vector2f(across),
-                                         Eigen::Vector2f(-across),
-                                         Eigen::Vector2f(0.7f, -0.7f),
-                                         Eigen::Vector2f(-0.7f, -0.7f)}) {
-        const Eigen::Vector2f middle =
-            at +
-            Eigen::Vector2f(way.x() * (w + 0.4f * away * unit), way.y() * away * unit);
-        if (found || middle.x() - w < place().x + unit ||
-            middle.x() + w > place().right() - unit ||
-            middle.y() - h < place().y + unit ||
-            middle.y() + h > place().bottom() - 5 * unit) // over the scale bar
+    const Eigen::Vector2f half(0.5f * static_cast<float>(textWidth(text, style)) + unit,
+                               1.8f * unit);
+    const Eigen::Vector2f middle = 0.5f * (a + b);
+    Eigen::Vector2f best(static_cast<float>(place().right()) - half.x() - unit,
+                         static_cast<float>(place().y) + half.y() + unit);
+    std::size_t fewest = std::numeric_limits<std::size_t>::max();
+    constexpr int directions = 12;
+    for (const float away : {3.f, 5.f, 8.f})
+      for (int i = 0; i < directions; ++i) {
+        const float angle =
+            2 * static_cast<float>(M_PI) * static_cast<float>(i) / directions;
+        const Eigen::Vector2f at =
+            middle + Eigen::Vector2f(std::cos(angle) * (half.x() + away * unit),
+                                     std::sin(angle) * (half.y() + away * unit));
+        if (!hasRoom(at, half + Eigen::Vector2f(unit, unit)) ||
+            coversLine(at, half + Eigen::Vector2f(unit, unit), a, b))
           continue;
-        best = middle;
-        found = true;
+        const std::size_t covered = pointsUnder(at, half + Eigen::Vector2f(unit, unit));
+        if (covered < fewest) {
+          fewest = covered;
+          best = at;
+        }
       }
-    line(canvas_, at, best, 0.6f * thick_, kInk);
-    const auto left = static_cast<int>(best.x() - w),
-               top = static_cast<int>(best.y() - h);
-    const Rect box{left, top, static_cast<int>(2 * w), static_cast<int>(2 * h)};
+    line(canvas_, middle, best, 0.6f * thick_, kInk);
+    const Rect box{static_cast<int>(best.x() - half.x()),
+                   static_cast<int>(best.y() - half.y()),
+                   static_cast<int>(2 * half.x()),
+                   static_cast<int>(2 * half.y())};
     canvas_.fillRound(box, 0.6f * unit, kInk);
     const int rim = std::max(1, unit_ / 5);
     canvas_.fillRound(
         {box.x + rim, box.y + rim, box.width - 2 * rim, box.height - 2 * rim},
         0.5f * unit,
         kPage);
-    drawText(canvas_, left + unit_, static_cast<int>(best.y()), text, style);
+    drawText(canvas_, box.x + unit_, static_cast<int>(best.y()), text, style);
+  }
+
+  /// Whether a box about a place is in sight, and over the scale bar.
+  bool hasRoom(const Eigen::Vector2f& at, const Eigen::Vector2f& half) const
+  {
+    const Rect& r = place();
+    return at.x() - half.x() >= static_cast<float>(r.x) &&
+           at.x() + half.x() <= static_cast<float>(r.right()) &&
+           at.y() - half.y() >= static_cast<float>(r.y) &&
+           at.y() + half.y() <= static_cast<float>(r.bottom() - 4 * unit_);
+  }
+  static bool coversLine(const Eigen::Vector2f& at,
+                         const Eigen::Vector2f& half,
+                         const Eigen::Vector2f& a,
+                         const Eigen::Vector2f& b)
+  {
+    constexpr int pieces = 40;
+    for (int i = 0; i <= pieces; ++i) {
+      const Eigen::Vector2f p = a + (b - a) * (static_cast<float>(i) / pieces);
+      if (((p - at).array().abs() < half.array()).all())
+        return true;
+    }
+    return false;
+  }
+  std::size_t pointsUnder(const Eigen::Vector2f& at, const Eigen::Vector2f& half) const
+  {
+    return static_cast<std::size_t>(
+        std::count_if(points_.begin(), points_.end(), [&](const Section::Point& p) {
+          return ((plan_.px(p.at) - at).array().abs() < half.array()).all();
+        }));
   }
 
   void drawScale()
@@ -289,6 +324,7 @@ private:
   const Section& section_;
   int unit_;
   float thick_;
+  std::vector<Section::Point> points_;
 };
 
 Plan planOf(const Section& section, const Rect& place)

@@ -14,7 +14,8 @@ namespace pointmill {
 /// material is left, red where too much is gone, pale within the tolerance, and grey
 /// where it is NaN: no tool came there. Points that share a cell of the map show the
 /// one that is farthest off. Under it stand a histogram over the bar of the colours,
-/// with the tolerance marked, and the share of the points that keep it.
+/// with the tolerance marked, and the share of the points that keep it. The colours end
+/// at what 99 of 100 points keep, but not before 4 tolerances nor after 10.
 /// @param tolerance deviations up to this, to either side, are in order [mm]
 /// @throws ParameterError where @p tolerance is not in 1e-4 .. 10; DataError where no
 /// point has a place, all lie on a line along an axis, or @p path cannot be written

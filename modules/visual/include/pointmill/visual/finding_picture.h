@@ -54,8 +54,8 @@ struct FindingScene {
 /// tool's true outline, with the depth of the place in the tool as a dimension.
 ///
 /// A section runs through the tool's axis and the place, along X or Y where they allow
-/// it; without a tool along X or Y, across the steeper relief. It is drawn in software;
-/// the same scene gives the same bytes.
+/// it; without a tool along X or Y, whichever shows more relief. It is drawn in
+/// software; the same scene gives the same bytes.
 /// @param width of the picture [px], 1000 .. 3000; its height follows from the findings
 /// @throws ParameterError for another width or a tool that is none; DataError where a
 /// field is empty or not organised, or @p path cannot be written (nothing is left then)
