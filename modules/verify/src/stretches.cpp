@@ -68,7 +68,8 @@ double Stretches::thinnest() const
 HeightRange Stretches::range(std::size_t i, double x, double y, double radius) const
 {
   const Stretch& s = stretches_[i];
-  HeightRange h = sweptHeightRange(s.cutter->profile(), s.a, s.b, x, y, radius + s.aside);
+  HeightRange h =
+      sweptHeightRange(s.cutter->profile(), s.a, s.b, x, y, radius + s.aside);
   h.low -= s.over;
   h.high += s.over;
   return h;

@@ -70,8 +70,7 @@ public:
       bool met = false;
       for (std::size_t i = 0; i < tile.points.size(); ++i) {
         const auto& p = tile.points[i];
-        if (matters(bound, i, p) &&
-            matters(stretches_.floor(id, p.x, p.y), i, p)) {
+        if (matters(bound, i, p) && matters(stretches_.floor(id, p.x, p.y), i, p)) {
           meet(p, i, id);
           met = true;
         }

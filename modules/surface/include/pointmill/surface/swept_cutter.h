@@ -31,12 +31,10 @@ public:
                          : std::numeric_limits<double>::infinity();
   }
 
-  /// @brief No more than sweptHeight() from @p a to @p b over (x, y): as if the tip were
-  /// everywhere as low as at the lower end, and anywhere in the move's box.
-  double floor(const Eigen::Vector3d& a,
-               const Eigen::Vector3d& b,
-               double x,
-               double y) const
+  /// @brief No more than sweptHeight() from @p a to @p b over (x, y): as if the tip
+  /// were everywhere as low as at the lower end, and anywhere in the move's box.
+  double
+  floor(const Eigen::Vector3d& a, const Eigen::Vector3d& b, double x, double y) const
   {
     const double dx = outside(a.x(), b.x(), x), dy = outside(a.y(), b.y(), y);
     return std::min(a.z(), b.z()) + floor(dx * dx + dy * dy) - 1e-9;
