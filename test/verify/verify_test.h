@@ -21,40 +21,42 @@ class Text {
 public:
   explicit Text(int tool = 1)
   {
-    text_ << std::fixed << std::setprecision(6) << "G21 G17 G90 G94 G54\nT" << tool
-          << " M6\nG43 H" << tool << "\nS8000 M3\nG0 Z10.\n";
-    lines_ = 5;
+    const std::string number = std::to_string(tool);
+    (*this)("G21 G17 G90 G94 G54")("T" + number + " M6")("G43 H" + number);
+    (*this)("S8000 M3")("G0 Z10.");
   }
   Text& operator()(const std::string& line)
   {
-    text_ << line << "\n";
+    text_ += line + "\n";
     ++lines_;
     return *this;
   }
   /// Straight to (x, y, z) at feed.
   Text& feed(double x, double y, double z)
   {
-    text_ << "G1 X" << x << " Y" << y << " Z" << z << " F600\n";
-    ++lines_;
-    return *this;
+    return (*this)("G1 X" + number(x) + " Y" + number(y) + " Z" + number(z) + " F600");
   }
   /// Over (x, y) in rapid.
   Text& over(double x, double y)
   {
-    text_ << "G0 Z10.\nG0 X" << x << " Y" << y << "\n";
-    lines_ += 2;
-    return *this;
+    return (*this)("G0 Z10.")("G0 X" + number(x) + " Y" + number(y));
   }
   std::size_t lines() const { return lines_; }
   Program end(const char* last = "G0 Z10.\nM5\nM2\n") const
   {
-    std::istringstream in(text_.str() + last);
+    std::istringstream in(text_ + last);
     return readProgram(in);
   }
 
 private:
-  std::ostringstream text_;
-  std::size_t lines_;
+  static std::string number(double v)
+  {
+    std::ostringstream text;
+    text << std::fixed << std::setprecision(6) << v;
+    return text.str();
+  }
+  std::string text_;
+  std::size_t lines_ = 0;
 };
 
 inline const Finding* find(const Verification& result, const std::string& code)

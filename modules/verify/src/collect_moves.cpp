@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace pointmill {
 namespace {
@@ -15,6 +16,8 @@ constexpr double kAbsurdFeed = 1e5, kAbsurdSpindle = 2.5e5;
 constexpr double kAbsurdChip = 0.1;
 /// More than what rounding takes from a height [mm].
 constexpr double kRounding = 1e-3;
+/// Of a tip at the top of the machine.
+constexpr double kTop = std::numeric_limits<double>::infinity();
 
 /// Whether X or Y moves while nobody knows how high the tool is.
 bool sidewaysBlind(const ProgramMove& m)
@@ -106,11 +109,13 @@ private:
       find("unknown_position", 0, m);
   }
 
-  /// Where the machine stands is not known: only Z may move, high up.
+  /// Where the machine stands is not known: only Z may move, high up, or from anywhere
+  /// to the top of the machine.
   void checkUnknown(const ProgramMove& m)
   {
     const bool high = !(m.from.z() < limits_.safe) && !(m.to.z() < limits_.safe);
-    if (!m.rapid || !high || sidewaysBlind(m))
+    const bool lift = m.to.z() == kTop && m.from.head<2>() == m.to.head<2>();
+    if (!m.rapid || (!high && !lift) || sidewaysBlind(m))
       find("unknown_position", 0, m);
   }
 

@@ -31,7 +31,7 @@ const std::vector<FindingCode>& findingCodes()
       {"spindle_limit",
        error,
        "rev/min",
-       "the spindle's speed leaves the machine's range by"},
+       "the spindle's speed is beyond the machine's, by"},
       {"unknown_tool", error, "", "a feed move has a tool that is not known"},
       {"no_tool_below_stock",
        error,

@@ -39,8 +39,7 @@ StockEvents cutAll(StockField& field,
   Bands bands(stock.min.y(), kRowsPerBand * field.cellSize(), count);
   for (std::size_t k = 0; k < moves.size(); ++k) {
     const SweptMove& m = moves[k];
-    bands.add(
-        k, m.a.y(), m.b.y(), reachBelow(stock.top(), m, tools.at(m.tool)));
+    bands.add(k, m.a.y(), m.b.y(), reachBelow(stock.top(), m, tools.at(m.tool)));
   }
   std::vector<StockEvents> events(static_cast<std::size_t>(count),
                                   StockEvents(sections));

@@ -20,9 +20,9 @@ Stretches::Stretches(const std::vector<SweptMove>& moves) : moves_(moves)
 {
   cutter_.reserve(moves.size());
   for (const auto& m : moves) {
-    auto known = profiles_.find(m.tool);
-    if (known == profiles_.end())
-      known = profiles_.emplace(m.tool, m.tool->profile()).first;
+    auto known = cutters_.find(m.tool);
+    if (known == cutters_.end())
+      known = cutters_.emplace(m.tool, *m.tool).first;
     cutter_.push_back(&known->second);
   }
 
@@ -60,15 +60,16 @@ Stretches::Stretches(const std::vector<SweptMove>& moves) : moves_(moves)
 double Stretches::thinnest() const
 {
   double thinnest = std::numeric_limits<double>::infinity();
-  for (const auto& [tool, profile] : profiles_)
-    thinnest = std::min(thinnest, profile.radius());
+  for (const auto& [tool, cutter] : cutters_)
+    thinnest = std::min(thinnest, cutter.radius());
   return thinnest;
 }
 
 HeightRange Stretches::range(std::size_t i, double x, double y, double radius) const
 {
   const Stretch& s = stretches_[i];
-  HeightRange h = sweptHeightRange(*s.cutter, s.a, s.b, x, y, radius + s.aside);
+  HeightRange h =
+      sweptHeightRange(s.cutter->profile(), s.a, s.b, x, y, radius + s.aside);
   h.low -= s.over;
   h.high += s.over;
   return h;

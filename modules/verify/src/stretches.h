@@ -5,6 +5,9 @@
 #include "moves.h"
 #include "sweep_range.h"
 
+#include <pointmill/surface/swept_cutter.h>
+
+#include <map>
 #include <vector>
 
 namespace pointmill {
@@ -13,7 +16,7 @@ namespace pointmill {
 /// their places is as near as said to a place of the straight way from @p a to @p b.
 struct Stretch {
   Eigen::Vector3d a, b;
-  const CutterProfile* cutter;
+  const SweptCutter* cutter;
   std::uint32_t first, last; ///< moves [first, last)
   double aside, over;        ///< farthest from the straight way: in XY, along Z [mm]
 };
@@ -26,7 +29,7 @@ public:
   std::size_t size() const { return stretches_.size(); }
   const Stretch& operator[](std::size_t i) const { return stretches_[i]; }
   const SweptMove& move(std::size_t k) const { return moves_[k]; }
-  const CutterProfile& cutter(std::size_t k) const { return *cutter_[k]; }
+  const SweptCutter& cutter(std::size_t k) const { return *cutter_[k]; }
   /// @brief Radius of the thinnest tool [mm].
   double thinnest() const;
 
@@ -35,13 +38,19 @@ public:
   /// @brief The same for one move.
   HeightRange moveRange(std::size_t k, double x, double y, double radius) const
   {
-    return sweptHeightRange(cutter(k), moves_[k].a, moves_[k].b, x, y, radius);
+    return sweptHeightRange(
+        cutter(k).profile(), moves_[k].a, moves_[k].b, x, y, radius);
+  }
+  /// @brief No move leaves less over (x, y) [mm]: a quick bound.
+  double floor(std::size_t k, double x, double y) const
+  {
+    return cutter(k).floor(moves_[k].a, moves_[k].b, x, y);
   }
 
 private:
   const std::vector<SweptMove>& moves_;
-  std::map<const Tool*, CutterProfile> profiles_;
-  std::vector<const CutterProfile*> cutter_; // by move
+  std::map<const Tool*, SweptCutter> cutters_;
+  std::vector<const SweptCutter*> cutter_; // by move
   std::vector<Stretch> stretches_;
 };
 

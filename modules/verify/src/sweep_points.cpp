@@ -70,8 +70,7 @@ public:
       bool met = false;
       for (std::size_t i = 0; i < tile.points.size(); ++i) {
         const auto& p = tile.points[i];
-        if (matters(bound, i, p) &&
-            matters(stretches_.moveRange(id, p.x, p.y, 0.0).low, i, p)) {
+        if (matters(bound, i, p) && matters(stretches_.floor(id, p.x, p.y), i, p)) {
           meet(p, i, id);
           met = true;
         }
@@ -115,7 +114,7 @@ private:
   void meet(const Tile::Point& p, std::size_t i, std::size_t k)
   {
     const SweptMove& m = stretches_.move(k);
-    const CutterProfile& cutter = stretches_.cutter(k);
+    const CutterProfile& cutter = stretches_.cutter(k).profile();
     const double h = sweptHeight(cutter, m.a, m.b, p.x, p.y);
     if (h < height_[i])
       height_[i] = static_cast<float>(h);

@@ -9,7 +9,7 @@ namespace pointmill {
 namespace {
 
 /// As many points are worth a tile of their own.
-constexpr double kMostPoints = 48;
+constexpr double kMostPoints = 16;
 
 int cellsAlong(const PointIndex& points, double widest)
 {

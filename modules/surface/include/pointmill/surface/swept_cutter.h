@@ -4,6 +4,9 @@
 
 #include <pointmill/common/tool.h>
 
+#include <Eigen/Core>
+
+#include <algorithm>
 #include <array>
 #include <limits>
 
@@ -28,7 +31,20 @@ public:
                          : std::numeric_limits<double>::infinity();
   }
 
+  /// @brief No more than sweptHeight() from @p a to @p b over (x, y): as if the tip
+  /// were everywhere as low as at the lower end, and anywhere in the move's box.
+  double
+  floor(const Eigen::Vector3d& a, const Eigen::Vector3d& b, double x, double y) const
+  {
+    const double dx = outside(a.x(), b.x(), x), dy = outside(a.y(), b.y(), y);
+    return std::min(a.z(), b.z()) + floor(dx * dx + dy * dy) - 1e-9;
+  }
+
 private:
+  static double outside(double a, double b, double v)
+  {
+    return std::max({0.0, std::min(a, b) - v, v - std::max(a, b)});
+  }
   static constexpr int kSteps = 1024; ///< of equal squares of the radius
   CutterProfile profile_;
   double steps_per_area_;
