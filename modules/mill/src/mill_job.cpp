@@ -17,6 +17,11 @@ namespace {
 /// Programs of more files are a slip.
 constexpr std::size_t kMostFiles = 1000;
 
+bool has(const std::vector<ArcPlane>& planes, ArcPlane plane)
+{
+  return std::find(planes.begin(), planes.end(), plane) != planes.end();
+}
+
 std::string joined(const std::vector<std::string>& lines, const std::string& between)
 {
   std::string text;
@@ -107,12 +112,11 @@ void MillJob::writeProgram(const std::vector<std::string>& remarks)
     fitter->setTolerance(budget.arcs);
     fitter->setArcs(options_.arcs);
     const Post& post = writer.getPost();
-    fitter->setPlanes({post.takesArcs(ArcPlane::XY),
-                       post.takesArcs(ArcPlane::ZX),
-                       post.takesArcs(ArcPlane::YZ)});
+    for (const auto plane : {ArcPlane::XY, ArcPlane::ZX, ArcPlane::YZ}) {
+      fitter->setPlane(plane, has(post.arc_planes, plane));
+      fitter->setHelixPlane(plane, has(post.helix_planes, plane));
+    }
     fitter->setLargestSweep(std::min(fitter->getLargestSweep(), post.largest_sweep));
-    if (post.helix_planes.empty())
-      fitter->setSteepestHelix(0);
     return fitter;
   });
   std::vector<Operation> operations;
