@@ -116,6 +116,15 @@ TEST(WriterSettings, InchesNeverCutDeeper)
   EXPECT_EQ(grid.text(grid.nearest(-12.7)), "-0.5");
 }
 
+TEST(WriterSettings, ThreeDecimalsOfAnInchAreTooFew)
+{
+  auto writer = sample::writerFor(Post::named("linuxcnc"));
+  writer.setDecimals(3);
+  EXPECT_NO_THROW(one(writer, sample::twoTools()));
+  writer.setUnit(Unit::Inch);
+  EXPECT_THROW(one(writer, sample::twoTools()), ParameterError);
+}
+
 TEST(WriterSettings, FeedsInInchesCountAsTheControlDoes)
 {
   auto operations = sample::twoTools();

@@ -64,7 +64,11 @@ void check(const GCodeWriter& writer)
 {
   validateParameters(writer, "GCodeWriter");
   if (writer.getDecimals() != 0)
-    checkRange("GCodeWriter", "decimals", writer.getDecimals(), "", {3, 6});
+    checkRange("GCodeWriter",
+               "decimals",
+               writer.getDecimals(),
+               "",
+               {writer.getUnit() == Unit::Inch ? 4.0 : 3.0, 6}); // arcs need them
   if (writer.getMaxFeed() != 0)
     checkRange("GCodeWriter", "max_feed", writer.getMaxFeed(), "mm/min", {0.001, 1e6});
   checkName(writer.getProgramName());
