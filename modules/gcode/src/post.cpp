@@ -111,6 +111,7 @@ void checkMissing(const Post& post, const RefuseKey& refuse)
   need("coolant_on", post.coolant_on);
   need("coolant_off", post.coolant_off);
   need("approach", post.approach);
+  need("dwell", post.dwell);
   need("stop", post.stop);
   need("end", post.end);
   if (post.tools == ToolChange::Pause)

@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <charconv>
-#include <cmath>
 
 namespace pointmill::gcode {
 
@@ -62,7 +61,7 @@ Printer::Printer(std::ostream& out, const Post& post, const PrinterSettings& set
                                                 post.leading_zero},
       settings_(settings), lines_(out, static_cast<std::size_t>(post.line_limit)),
       comments_(commentText(post)), feed_grid_(post.feed_decimals),
-      feed_factor_(std::pow(10.0, post.feed_decimals) / 1000.0),
+      feed_factor_(double(feed_grid_.nearest(1.0)) / 1000.0),
       next_number_(countsBlocks(post) ? 0 : post.number_start)
 {
   if (settings.unit == Unit::Inch)

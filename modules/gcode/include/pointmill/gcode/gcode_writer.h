@@ -52,6 +52,7 @@ public:
     std::size_t skipped = 0; ///< points that coincide with the one before
     std::size_t slowed = 0;  ///< moves whose feed was above the limit
     std::size_t files = 1;
+    std::size_t longest_file = 0; ///< [lines]
   };
 
   /// @brief Gives the stream of each next file. The one before is complete then. @p
@@ -163,10 +164,15 @@ public:
   Statistics write(const std::vector<Operation>& operations, MachineCalls& calls) const;
 
 private:
-  std::size_t countFiles(const std::vector<Operation>& operations) const;
+  /// How many files there will be, and whether because of their length.
+  struct Layout {
+    std::size_t files;
+    bool split;
+  };
+  Layout layOut(const std::vector<Operation>& operations) const;
   Statistics print(const std::vector<Operation>& operations,
                    const Opener& open,
-                   std::size_t files) const;
+                   Layout layout) const;
 
   std::vector<std::string> comments_;
   double clearance_ = std::numeric_limits<double>::quiet_NaN();
