@@ -21,8 +21,10 @@ namespace {
 std::string joined(const std::vector<std::string>& names)
 {
   std::string text;
-  for (const auto& name : names)
-    text += (text.empty() ? "" : ", ") + name;
+  for (const auto& name : names) {
+    text += text.empty() ? "" : ", ";
+    text += name;
+  }
   return text;
 }
 
