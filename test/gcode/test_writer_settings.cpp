@@ -319,7 +319,8 @@ TEST(WriterSettings, ALongCutIsLeftUpwardsAndEnteredDownwards)
   ASSERT_GE(files.size(), 2u);
   const std::string first = files["_1"].str(), second = files["_2"].str();
   EXPECT_TRUE(has(first, "(program 1 of " + std::to_string(files.size()) + ")"));
-  const auto end = read(first).moves.rbegin(); // the retract, before it the lift
+  const auto program = read(first);
+  const auto end = program.moves.rbegin(); // the retract, before it the lift
   EXPECT_TRUE((end + 1)->rapid);
   EXPECT_EQ((end + 1)->to.z(), 10.0);
   const auto cut = (end + 2)->to;
