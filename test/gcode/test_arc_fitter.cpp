@@ -381,6 +381,35 @@ TEST(ArcFitter, LimitsOfArcsAreKept)
   EXPECT_EQ(arcs_of({{0, 0, 0}, {45, 3, 0}, {90, 0, 0}}, smallest), 0u);
 }
 
+TEST(ArcFitter, NoArcDipsBelowTheFloor)
+{
+  // Down and up again, with no point at the bottom: Z is the second axis of
+  // YZ and the first of ZX.
+  for (const auto plane : {ArcPlane::YZ, ArcPlane::ZX}) {
+    const bool first = plane == ArcPlane::ZX;
+    const auto path = turn(plane, 2, first ? 140 : 230, 80, 79);
+    const double bottom = first ? 3 - 2 : -7 - 2;
+    std::int64_t lowest = path.front().z;
+    for (const auto& p : path)
+      lowest = std::min(lowest, p.z);
+    ASSERT_GT(double(lowest), bottom / tick);
+    for (const double floor : {bottom - 0.01, double(lowest) * tick}) {
+      const auto result = fitted(path, DecimalGrid(4), [&](ArcFitter& f) {
+        f.setTolerance(0.005);
+        f.setFloor(floor);
+      });
+      EXPECT_EQ(result.moves.size() == 1, floor < bottom);
+      Eigen::Vector3d at = arcs::vector(path.front());
+      for (const auto& call : result.moves) {
+        for (int i = 0; call.arc && i <= 1000; ++i) {
+          EXPECT_GE(arcs::Turn(at, *call.arc).at(i / 1000.0).z(), floor / tick - 1e-6);
+        }
+        at = arcs::vector(call.to);
+      }
+    }
+  }
+}
+
 TEST(ArcFitter, RadiiKeepToTheirLimits)
 {
   const auto path = turn(ArcPlane::YZ, 20, 0, 60, 200);

@@ -19,6 +19,7 @@ struct ArcLimits {
   double largest_sweep = 0.0; ///< rad, below a full turn
   double steepest = 0.0;      ///< tangent of a helix's largest lead angle
   double mismatch = 0.0;      ///< largest difference of both ends' radii
+  double floor = -1e300;      ///< no arc dips below this Z
 };
 
 /// @brief Points in a row, at least two, and the chords between them; in ticks, whole

@@ -95,7 +95,16 @@ struct Way {
     return low >= limits.smallest_radius && high <= limits.largest_radius &&
            high - low <= limits.mismatch && sweep > 0 &&
            sweep <= limits.largest_sweep &&
-           std::abs(climb) <= limits.steepest * low * sweep;
+           std::abs(climb) <= limits.steepest * low * sweep && dip() >= limits.floor;
+  }
+
+  /// The lowest Z on the way where that is between its ends; otherwise infinite.
+  double dip() const
+  {
+    const Vector2d down = -axes.project(Vector3d::UnitZ());
+    const double turn = std::atan2(sense * cross(begin, down), begin.dot(down));
+    const bool passes = axes.w != 2 && (turn < 0 ? turn + 2 * pi : turn) < sweep;
+    return passes ? -centre.dot(down) - high : std::numeric_limits<double>::infinity();
   }
 
   /// Whether a chord that advances comes round to where the arc begins.

@@ -127,6 +127,7 @@ void ArcFitter::emitOne()
   limits.largest_radius = largest_radius_ * scale;
   limits.largest_sweep = largest_sweep_ * rad;
   limits.mismatch = largest_mismatch * scale;
+  limits.floor = floor_ * scale;
 
   const std::size_t left = std::min(run_.size() - first_, longest_run + 1);
   LongestCall call({&run_[first_], left}, &feeds_[first_ + 1], feed_drop_);

@@ -88,6 +88,11 @@ public:
   void setSteepestHelix(double degrees) { steepest_helix_ = degrees; }
   double getSteepestHelix() const { return steepest_helix_; }
 
+  /// @brief Z that no arc may dip below between its ends [mm], as the bottom of the
+  /// stock or the table: within the tolerance others may.
+  void setFloor(double z) { floor_ = z; }
+  double getFloor() const { return floor_; }
+
   /// @brief Share by which the feed of a call may be below any that it replaces; 0:
   /// only moves of one feed are put together.
   void setFeedDrop(double share) { feed_drop_ = share; }
@@ -108,6 +113,7 @@ public:
     v("smallest_radius", smallest_radius_, "mm", Range{0.01, 1e5}, "of an arc");
     v("largest_radius", largest_radius_, "mm", Range{0.01, 1e5}, "of an arc");
     v("steepest_helix", steepest_helix_, "deg", Range{0, 60}, "lead angle of a helix");
+    v("floor", floor_, "mm", Range{-1e5, 1e5}, "Z that no arc dips below");
     v("feed_drop", feed_drop_, "", Range{0, 0.9}, "share of the feed that may be lost");
   }
 
@@ -143,6 +149,7 @@ private:
   double largest_sweep_ = 175.0;
   double smallest_radius_ = 0.05, largest_radius_ = 1000.0;
   double steepest_helix_ = 30.0;
+  double floor_ = -1e5;
   double feed_drop_ = 0.0;
 
   /// Where the run starts, the ends of its moves, and their feeds beside them. In
