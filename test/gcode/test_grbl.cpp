@@ -194,3 +194,16 @@ TEST(Grbl, WaitsForTheSecondToolWhereItIsToldTo)
       << text;
   EXPECT_EQ(GrblRules::fault(text), "");
 }
+
+TEST(Grbl, ALongNameOfAToolIsWrapped)
+{
+  auto operations = sample::twoTools();
+  operations[1].tool = pointmill::Tool::taperBull(123, 1.2345, 0.4321, 12.345, 6.789);
+  auto writer = sample::writerFor(Post::named("grbl"));
+  writer.setToolChange(ToolChange::Pause);
+  const std::string text = sample::files(writer, operations)[""].str();
+  EXPECT_NE(text.find("\n(Change to " + operations[1].tool.describe().substr(0, 20)),
+            std::string::npos)
+      << text;
+  EXPECT_EQ(GrblRules::fault(text), "");
+}

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 using pointmill::ArcPlane;
 using pointmill::GCodeWriter;
@@ -114,6 +115,15 @@ TEST(WriterSettings, InchesNeverCutDeeper)
   }
   EXPECT_EQ(grid.atOrAbove(25.4f), 10000) << "an inch is an inch";
   EXPECT_EQ(grid.text(grid.nearest(-12.7)), "-0.5");
+}
+
+TEST(WriterSettings, ThreeDecimalsOfAnInchAreTooFew)
+{
+  auto writer = sample::writerFor(Post::named("linuxcnc"));
+  writer.setDecimals(3);
+  EXPECT_NO_THROW(one(writer, sample::twoTools()));
+  writer.setUnit(Unit::Inch);
+  EXPECT_THROW(one(writer, sample::twoTools()), ParameterError);
 }
 
 TEST(WriterSettings, FeedsInInchesCountAsTheControlDoes)
@@ -346,6 +356,19 @@ TEST(WriterSettings, SplitsAtARapidWhereOneIsNear)
   EXPECT_EQ(feeds, feeds_whole) << "no cut was interrupted";
 }
 
+TEST(WriterSettings, WhatFitsIsNotSplit)
+{
+  const auto operations = sample::random(900, 2, 4);
+  auto writer = sample::plainWriterFor(Post::named("linuxcnc"));
+  writer.setClearancePlane(12.5);
+  const std::string whole = one(writer, operations);
+  const auto count = static_cast<int>(std::count(whole.begin(), whole.end(), '\n'));
+  writer.setMaxLines(count);
+  EXPECT_EQ(one(writer, operations), whole);
+  writer.setMaxLines(count - 1);
+  EXPECT_EQ(sample::files(writer, operations).size(), 2u);
+}
+
 TEST(WriterSettings, TooFewLinesForAProgramAreRefused)
 {
   auto writer = sample::writerFor(Post::named("linuxcnc"));
@@ -476,4 +499,27 @@ TEST(WriterSettings, RefusesNamesAndNumbers)
   EXPECT_THROW(writer.write(sample::twoTools(), open), ParameterError);
   writer.setToolChange(ToolChange::Pause);
   EXPECT_THROW(writer.write(sample::twoTools(), out), ParameterError);
+}
+
+TEST(WriterSettings, RefusesWhatTheControlCannot)
+{
+  std::ostringstream out;
+  auto writer = sample::writerFor(Post::named("grbl"));
+  writer.setToolChange(
+      ToolChange::Changer); // T alone would mill on with the first tool
+  EXPECT_THROW(writer.write(sample::twoTools(), out), ParameterError);
+  writer = sample::writerFor(Post::named("heidenhain"));
+  for (int axis = 0; axis < 3; ++axis) {
+    auto stock = *writer.getStock();
+    stock.max[axis] = std::nan("");
+    writer.setStock(stock);
+    EXPECT_THROW(writer.write(sample::twoTools(), out), ParameterError);
+    stock.max[axis] = 1;
+    writer.setStock(stock);
+  }
+  auto post = Post::named("linuxcnc");
+  post.approach.clear();
+  writer = sample::writerFor(post);
+  EXPECT_THROW(writer.write(sample::twoTools(), out), ParameterError);
+  EXPECT_EQ(out.str(), "");
 }

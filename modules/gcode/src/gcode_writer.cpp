@@ -22,8 +22,9 @@ using namespace gcode;
 
 namespace {
 
-constexpr double inch = 25.4;        // mm
-constexpr double soft_landing = 1.0; // mm: the last of the way down is fed
+constexpr double inch = 25.4;             // mm
+constexpr std::size_t last_number = 7999; // beyond are those of the machine's builder
+constexpr double soft_landing = 1.0;      // mm: the last of the way down is fed
 
 /// Takes all and keeps nothing.
 class NullBuffer : public std::streambuf {
@@ -48,6 +49,15 @@ void checkName(const std::string& name)
            "' must be 1 .. 32 letters, digits, '_' and '-'");
 }
 
+void checkStock(const std::optional<Stock>& stock)
+{
+  const auto inReach = [](const Eigen::Vector3d& corner) {
+    return (corner.array().abs() <= 1e5).all(); // NaN is not
+  };
+  if (stock && !(inReach(stock->min) && inReach(stock->max)))
+    refuse("the stock is not finite or beyond 100 m");
+}
+
 void checkPost(const GCodeWriter& writer)
 {
   const Post& post = writer.getPost();
@@ -56,18 +66,26 @@ void checkPost(const GCodeWriter& writer)
   if (retract != Retract::Clearance && post.retractLines(retract).empty())
     refuse("the post " + post.name + " has no retract to " +
            (retract == Retract::Home ? "the home position" : "the top of the machine"));
-  if (writer.getToolChange() == ToolChange::Pause && post.tool_pause.empty())
+  const auto change = writer.getToolChange();
+  if (change == ToolChange::Pause && post.tool_pause.empty())
     refuse("the post " + post.name + " cannot wait for a tool");
+  if (change == ToolChange::Changer && post.tools != ToolChange::Changer)
+    refuse("the post " + post.name + " has no tool changer");
 }
 
 void check(const GCodeWriter& writer)
 {
   validateParameters(writer, "GCodeWriter");
   if (writer.getDecimals() != 0)
-    checkRange("GCodeWriter", "decimals", writer.getDecimals(), "", {3, 6});
+    checkRange("GCodeWriter",
+               "decimals",
+               writer.getDecimals(),
+               "",
+               {writer.getUnit() == Unit::Inch ? 4.0 : 3.0, 6}); // arcs need them
   if (writer.getMaxFeed() != 0)
     checkRange("GCodeWriter", "max_feed", writer.getMaxFeed(), "mm/min", {0.001, 1e6});
   checkName(writer.getProgramName());
+  checkStock(writer.getStock());
   checkPost(writer);
 }
 
@@ -123,7 +141,7 @@ GCodeWriter::Statistics GCodeWriter::write(const std::vector<Operation>& operati
 
 GCodeWriter::Statistics GCodeWriter::print(const std::vector<Operation>& operations,
                                            const Opener& open,
-                                           std::size_t files) const
+                                           Layout layout) const
 {
   PrinterSettings settings;
   settings.unit = unit_;
@@ -134,11 +152,11 @@ GCodeWriter::Statistics GCodeWriter::print(const std::vector<Operation>& operati
   settings.corners = corners_;
   settings.number = number_;
   const bool of_one_tool = getToolChange() == ToolChange::Program;
-  ProgramFiles programs(open, post_, settings, {files, of_one_tool});
+  ProgramFiles programs(open, post_, settings, {layout.files, of_one_tool});
 
   MachiningPlan plan(operations, *this);
   Statistics statistics;
-  if (max_lines_ > 0) {
+  if (layout.split) {
     ProgramSplitter::Settings split;
     split.max_lines = static_cast<std::size_t>(max_lines_);
     split.clearance = settings.grid.atOrAbove(static_cast<float>(clearance_));
@@ -154,46 +172,50 @@ GCodeWriter::Statistics GCodeWriter::print(const std::vector<Operation>& operati
   statistics.files = programs.files();
   statistics.lines = programs.lines();
   statistics.bytes = programs.bytes();
+  statistics.longest_file = programs.longest();
   return statistics;
 }
 
 /// Finds every refusal before anything is written.
-std::size_t GCodeWriter::countFiles(const std::vector<Operation>& operations) const
+GCodeWriter::Layout GCodeWriter::layOut(const std::vector<Operation>& operations) const
 {
   MachiningPlan plan(operations, *this);
   MachineCalls nothing;
   plan.run(headOf(*this), nothing);
-  const std::size_t parts = plan.parts().size();
+  const Layout whole{plan.parts().size(), false};
   if (max_lines_ == 0)
-    return parts;
+    return whole;
+
   NullBuffer buffer;
   std::ostream null(&buffer);
+  const Opener open = [&null](const std::string&) -> std::ostream& { return null; };
+  if (print(operations, open, whole).longest_file <=
+      static_cast<std::size_t>(max_lines_))
+    return whole;
   // Any number but 1, so that the heads have the line that tells the number.
-  return print(
-             operations, [&null](const auto&) -> auto& { return null; }, 2)
-      .files;
+  return {print(operations, open, {2, true}).files, true};
 }
 
 GCodeWriter::Statistics GCodeWriter::write(const std::vector<Operation>& operations,
                                            const Opener& open) const
 {
   check(*this);
-  const std::size_t files = countFiles(operations);
-  if (number_ + files - 1 > 7999)
-    refuse("the number of the last program is beyond 7999");
-  return print(operations, open, files);
+  const Layout layout = layOut(operations);
+  if (number_ + layout.files - 1 > last_number)
+    refuse("the number of the last program is beyond " + std::to_string(last_number));
+  return print(operations, open, layout);
 }
 
 GCodeWriter::Statistics GCodeWriter::write(const std::vector<Operation>& operations,
                                            std::ostream& out) const
 {
   check(*this);
-  const std::size_t files = countFiles(operations);
-  if (files > 1)
-    refuse("the post " + post_.name + " needs " + std::to_string(files) +
+  const Layout layout = layOut(operations);
+  if (layout.files > 1)
+    refuse("the post " + post_.name + " needs " + std::to_string(layout.files) +
            " programs for this, not one");
   return print(
-      operations, [&out](const auto&) -> auto& { return out; }, files);
+      operations, [&out](const std::string&) -> std::ostream& { return out; }, layout);
 }
 
 } // namespace pointmill

@@ -21,8 +21,10 @@ namespace {
 std::string joined(const std::vector<std::string>& names)
 {
   std::string text;
-  for (const auto& name : names)
-    text += (text.empty() ? "" : ", ") + name;
+  for (const auto& name : names) {
+    text += text.empty() ? "" : ", ";
+    text += name;
+  }
   return text;
 }
 
@@ -111,6 +113,7 @@ void checkMissing(const Post& post, const RefuseKey& refuse)
   need("coolant_on", post.coolant_on);
   need("coolant_off", post.coolant_off);
   need("approach", post.approach);
+  need("dwell", post.dwell);
   need("stop", post.stop);
   need("end", post.end);
   if (post.tools == ToolChange::Pause)

@@ -124,7 +124,8 @@ private:
     for (const auto& [spelling, value] : words) {
       if (spelling == text)
         return value;
-      all += (all.empty() ? "" : ", ") + spelling;
+      all += all.empty() ? "" : ", ";
+      all += spelling;
     }
     refuse(node.Mark(), "'" + text + "' is none of " + all);
   }
@@ -183,7 +184,7 @@ Post Post::fromText(const std::string& text, const std::string& source)
   const DescriptionReader reader(source);
   try {
     const YAML::Node root = YAML::Load(text);
-    const Post post = describedBy(root, reader);
+    Post post = describedBy(root, reader);
     checkPost(post, [&](const std::string& key, const std::string& why) {
       const YAML::Node node = root[key];
       reader.refuse(node ? node.Mark() : root.Mark(), key + ": " + why);

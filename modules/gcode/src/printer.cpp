@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <charconv>
-#include <cmath>
 
 namespace pointmill::gcode {
 
@@ -62,7 +61,7 @@ Printer::Printer(std::ostream& out, const Post& post, const PrinterSettings& set
                                                 post.leading_zero},
       settings_(settings), lines_(out, static_cast<std::size_t>(post.line_limit)),
       comments_(commentText(post)), feed_grid_(post.feed_decimals),
-      feed_factor_(std::pow(10.0, post.feed_decimals) / 1000.0),
+      feed_factor_(double(feed_grid_.nearest(1.0)) / 1000.0),
       next_number_(countsBlocks(post) ? 0 : post.number_start)
 {
   if (settings.unit == Unit::Inch)
@@ -202,29 +201,39 @@ void Printer::print(const Post::Lines& lines, const Places& more)
     return;
   Places places = places_;
   places.insert(places.end(), more.begin(), more.end());
-  for (const auto& line : lines)
-    printLine(fill(line, places));
+  for (const auto& line : lines) {
+    const auto filled = fill(line, places);
+    if (isComment(filled)) // which may have to be wrapped
+      comment(filled.substr(post_.comment_open.size(),
+                            filled.size() - post_.comment_open.size() -
+                                post_.comment_close.size()));
+    else
+      printLine(filled);
+  }
 }
 
 void Printer::printLine(const std::string& line)
 {
-  if (!isNumbered(line)) {
-    lines_.line(line);
-    return;
-  }
-  char* const to = block();
-  const auto room = LineWriter::line_room - static_cast<std::size_t>(32);
-  endBlock(std::copy_n(line.begin(), std::min(line.size(), room), to));
+  char digits[16];
+  char* const end = isNumbered(line) ? number(digits) : digits;
+  lines_.line(std::string(static_cast<char*>(digits), end) + line);
+}
+
+/// A whole line of comment.
+bool Printer::isComment(const std::string& line) const
+{
+  const auto &open = post_.comment_open, &close = post_.comment_close;
+  return line.size() >= open.size() + close.size() &&
+         line.compare(0, open.size(), open) == 0 &&
+         line.compare(line.size() - close.size(), close.size(), close) == 0;
 }
 
 bool Printer::isNumbered(const std::string& line) const
 {
   if (countsBlocks(post_))
     return true;
-  const bool is_comment =
-      line.compare(0, post_.comment_open.size(), post_.comment_open) == 0;
   return settings_.numbers && line[0] != '%' && line[0] != 'O' &&
-         (!is_comment || post_.form == ProgramForm::HeidenhainIso);
+         (!isComment(line) || post_.form == ProgramForm::HeidenhainIso);
 }
 
 char* Printer::number(char* to)

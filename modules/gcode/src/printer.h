@@ -79,6 +79,7 @@ private:
   void printPathMode(double tolerance);
   Places toolPlaces(long rpm) const;
   char* number(char* to);
+  bool isComment(const std::string& line) const;
   bool isNumbered(const std::string& line) const;
   std::string coordinateText(std::int64_t ticks) const;
   std::int64_t feedTicks(std::int64_t feed) const;

@@ -2,6 +2,8 @@
 // Copyright (c) 2026, the PointMill authors
 #include "program_files.h"
 
+#include <algorithm>
+
 namespace pointmill::gcode {
 
 ProgramFiles::ProgramFiles(const GCodeWriter::Opener& open,
@@ -36,6 +38,7 @@ void ProgramFiles::end()
   printer_->end();
   lines_ += printer_->lines().lines();
   bytes_ += printer_->lines().bytes();
+  longest_ = std::max(longest_, linesOfThis());
 }
 
 } // namespace pointmill::gcode

@@ -53,6 +53,7 @@ public:
   std::size_t files() const { return files_; }
   std::size_t lines() const { return lines_; }
   std::size_t bytes() const { return bytes_; }
+  std::size_t longest() const { return longest_; }
 
 private:
   const GCodeWriter::Opener& open_;
@@ -60,7 +61,7 @@ private:
   PrinterSettings settings_;
   Series series_;
   std::unique_ptr<Printer> printer_;
-  std::size_t files_ = 0, lines_ = 0, bytes_ = 0;
+  std::size_t files_ = 0, lines_ = 0, bytes_ = 0, longest_ = 0;
 };
 
 } // namespace pointmill::gcode

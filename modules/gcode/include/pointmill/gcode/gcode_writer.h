@@ -30,13 +30,13 @@ enum class Corners {
 ///
 /// Every rule is checked before the first byte is written: no program is better than a
 /// wrong one.
-/// - A path begins and ends on the clearance plane or above it. The writer lifts to the
-///   top of the machine before each tool change, goes to the first point's Z, then to
-///   its X and Y; between two operations of one tool it travels at the higher of both
-///   ends.
-/// - `Motion::Rapid` and `Motion::Retract` become G0, all others G1 with the point's
-///   feed. A rapid is either vertical, or level on the clearance plane or above it, or
-///   below it where that is allowed.
+/// - A path begins and ends on the clearance plane or above it. The writer retracts
+///   before each tool change, goes to the first point's Z, then to its X and Y; between
+///   two operations of one tool it travels at the higher of both ends.
+/// - `Motion::Rapid` and `Motion::Retract` become rapids, all others feed moves with
+/// the
+///   point's feed. A rapid is either vertical, or level on the clearance plane or above
+///   it, or below it where that is allowed.
 /// - X and Y are rounded to the nearest decimal, Z upwards; points that coincide
 ///   after rounding are written once.
 ///
@@ -46,12 +46,13 @@ public:
   struct Statistics {
     std::size_t lines = 0;
     std::size_t bytes = 0;
-    std::size_t feed_moves = 0;
-    std::size_t rapids = 0; ///< with those of retracts and approaches
+    std::size_t feed_moves = 0; ///< before adapters make fewer or more of them
+    std::size_t rapids = 0;     ///< with those of retracts and approaches
     std::size_t tool_changes = 0;
     std::size_t skipped = 0; ///< points that coincide with the one before
     std::size_t slowed = 0;  ///< moves whose feed was above the limit
     std::size_t files = 1;
+    std::size_t longest_file = 0; ///< [lines]
   };
 
   /// @brief Gives the stream of each next file. The one before is complete then. @p
@@ -114,8 +115,8 @@ public:
   /// @brief What machine calls count in.
   DecimalGrid getGrid() const;
 
-  /// @brief Text for the head of the program. Turned to ASCII without parentheses and
-  /// wrapped at 80 characters.
+  /// @brief Text for the head of each program, turned to what the control allows in
+  /// comments.
   void addComment(const std::string& text) { comments_.push_back(text); }
   void setComments(std::vector<std::string> lines) { comments_ = std::move(lines); }
   const std::vector<std::string>& getComments() const { return comments_; }
@@ -134,7 +135,8 @@ public:
   void setPathTolerance(double tolerance) { tolerance_ = tolerance; }
   double getPathTolerance() const { return tolerance_; }
 
-  /// @brief Decimals of coordinates, 3 .. 6; 0: as many as the post prefers.
+  /// @brief Decimals of coordinates, 3 .. 6, in inches 4 .. 6; 0: as many as the post
+  /// prefers.
   void setDecimals(int decimals) { decimals_ = decimals; }
   int getDecimals() const { return decimals_; }
 
@@ -142,11 +144,11 @@ public:
   void parameters(V&& v)
   {
     v("clearance_plane", clearance_, "mm", Range{-1e5, 1e5}, "Z of rapid travel");
-    v("path_tolerance", tolerance_, "mm", Range{0, 1}, "blending of corners, G64 P");
+    v("path_tolerance", tolerance_, "mm", Range{0, 1}, "rounding of corners");
     v("decimals", decimals_, "", Range{0, 6}, "decimals of coordinates");
     v("max_feed", max_feed_, "mm/min", Range{0, 1e6}, "limit of feeds");
     v("max_lines", max_lines_, "", Range{0, 1e9}, "lines of one program");
-    v("program_number", number_, "", Range{1, 7999}, "O word");
+    v("program_number", number_, "", Range{1, 7999}, "of the first program");
   }
 
   /// @brief Writes one program to @p out. Throws ParameterError for settings, tools,
@@ -157,14 +159,20 @@ public:
   /// @brief The same as one program or several; @p open is called for each.
   Statistics write(const std::vector<Operation>& operations, const Opener& open) const;
 
-  /// @brief The same as machine calls; `lines` and `bytes` stay 0.
+  /// @brief The same as machine calls, through the adapters that were added; no limit
+  /// of lines or of arcs is kept, `lines` and `bytes` stay 0.
   Statistics write(const std::vector<Operation>& operations, MachineCalls& calls) const;
 
 private:
-  std::size_t countFiles(const std::vector<Operation>& operations) const;
+  /// How many files there will be, and whether because of their length.
+  struct Layout {
+    std::size_t files;
+    bool split;
+  };
+  Layout layOut(const std::vector<Operation>& operations) const;
   Statistics print(const std::vector<Operation>& operations,
                    const Opener& open,
-                   std::size_t files) const;
+                   Layout layout) const;
 
   std::vector<std::string> comments_;
   double clearance_ = std::numeric_limits<double>::quiet_NaN();

@@ -45,8 +45,8 @@ struct ProgramHead {
 };
 
 /// @brief The program as machine calls that have no dialect yet. GCodeWriter decides
-/// what the machine does and checks it; a printer behind this interface only spells it,
-/// so a further control needs one more printer and nothing else.
+/// what the machine does and checks it; adapters behind this interface change it, and a
+/// printer spells it as a Post says. Each program is from begin() to end().
 class MachineCalls {
 public:
   virtual ~MachineCalls() = default;
@@ -59,7 +59,7 @@ public:
   virtual void stop() {}
   /// @brief Straight up to the top of the machine, whatever the part frame is.
   virtual void retract() {}
-  /// @brief Loads tool @p number and applies its length.
+  /// @brief Loads tool @p number and applies its length; spindle() follows.
   virtual void changeTool(int /*number*/) {}
   /// @brief Clockwise at @p rpm rev/min.
   virtual void spindle(long /*rpm*/) {}
