@@ -21,6 +21,7 @@ using pointmill::MachinePosition;
 using pointmill::Post;
 using pointmill::Program;
 using pointmill::ProgramMove;
+using pointmill::Retract;
 using pointmill::ToolChange;
 using pointmill::Unit;
 
@@ -31,6 +32,7 @@ struct Way {
   Post post;
   Unit unit;
   ToolChange tools;
+  Retract retract;
 
   double tick() const // mm
   {
@@ -47,7 +49,10 @@ struct Way {
     return post.name + (unit == Unit::Inch ? ", inch" : ", mm") +
            (tools == ToolChange::Pause     ? ", pause"
             : tools == ToolChange::Program ? ", by tool"
-                                           : "");
+                                           : "") +
+           (retract == Retract::Machine ? ", machine"
+            : retract == Retract::Home  ? ", home"
+                                        : ", clearance");
   }
 };
 
@@ -55,12 +60,15 @@ std::vector<Way> ways()
 {
   std::vector<Way> list;
   for (const auto& name : Post::names())
-    for (const Unit unit : {Unit::Millimetre, Unit::Inch}) {
-      const auto post = Post::named(name);
-      list.push_back({post, unit, post.tools});
-      if (!post.tool_pause.empty())
-        list.push_back({post, unit, ToolChange::Pause});
-    }
+    for (const Unit unit : {Unit::Millimetre, Unit::Inch})
+      for (const Retract to : {Retract::Machine, Retract::Home, Retract::Clearance}) {
+        const auto post = Post::named(name);
+        if (to != Retract::Clearance && post.retractLines(to).empty())
+          continue;
+        list.push_back({post, unit, post.tools, to});
+        if (!post.tool_pause.empty())
+          list.push_back({post, unit, ToolChange::Pause, to});
+      }
   return list;
 }
 
@@ -70,6 +78,7 @@ pointmill::GCodeWriter writer(const Way& way)
   writer.setPost(way.post);
   writer.setUnit(way.unit);
   writer.setToolChange(way.tools);
+  writer.setRetract(way.retract);
   writer.setClearancePlane(12.5);
   writer.setPathTolerance(way.post.blend.empty() ? 0.0 : 0.01);
   return writer;
