@@ -187,9 +187,10 @@ TEST(SiemensForm, RefusesWhatItDoesNotKnow)
             "line 2, column 7: R is too small to reach the end of the arc");
   EXPECT_EQ(refusedBy(siemens, "G1 SUPA Z0"),
             "line 2, column 4: machine coordinates are supported with G0 only");
-  EXPECT_EQ(refusedBy(siemens, "G54"),
-            "line 2, column 1: G54 after the control's own: only one work offset is "
-            "supported");
+  EXPECT_EQ(
+      refusedBy(siemens, "G54 X1"),
+      "line 2, column 5: a position in G54 after those in the control's own frame: "
+      "only one work offset is supported");
   EXPECT_EQ(refusedBy(siemens, "M6"), "line 2, column 1: M6 without a T word");
   EXPECT_EQ(refusedBy(siemens, "G4"), "line 2, column 1: G4 needs F or S, at least 0");
   EXPECT_EQ(refusedBy(siemens, "G1 X1 CR=5"), "line 2, column 7: R without G2 or G3");

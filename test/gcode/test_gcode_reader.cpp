@@ -281,8 +281,7 @@ TEST(GCodeReader, RefusesConflicts)
   EXPECT_REFUSED("G4", "line 3, column 1: G4 needs P");
   EXPECT_REFUSED("G4 P1 X1", "line 3, column 7: G4 beside motion");
   EXPECT_REFUSED("G20 F1", "line 3, column 5: F in a block that changes the unit");
-  EXPECT_REFUSED("G54\nG55", "line 4, column 1: G55 after G54");
-  EXPECT_REFUSED("G55", "line 3, column 1: G55 after G54");
+  EXPECT_REFUSED("G55 X1", "line 3, column 5: a position in G55 after those in G54");
   EXPECT_REFUSED("G64 P-1", "line 3, column 1: G64 with a negative");
   EXPECT_REFUSED("T1 M6\nG43 H2", "line 4, column 5: H2 is not the length of tool 1");
   EXPECT_REFUSED("T1.5", "line 3, column 1: T must be a whole number");
@@ -372,6 +371,8 @@ TEST(GCodeReader, ShiftedFrames)
             "line 4, column 1: G1 from an unknown position: X is not set");
   EXPECT_EQ(refusal("G21 G90\nG0 X0\nG92 Y0"),
             "line 3, column 5: G92 at an unknown position");
+  EXPECT_EQ(way(read(head + "G92 X10\nG92.2\nG92.2\nG92.3\nG1 X12\n")),
+            "(1 2 3), 3 2 3");
   EXPECT_REFUSED("G92.3", "line 3, column 1: G92.3 without a G92.2");
   EXPECT_REFUSED("G92", "line 3, column 1: G92 without X, Y or Z");
   EXPECT_REFUSED("G1 G92 X0", "line 3, column 4: G92 beside G1");
@@ -413,7 +414,10 @@ TEST(GCodeReader, WorkOffsets)
         << offset;
   // Without a move they change nothing.
   EXPECT_EQ(way(read("G21 G54\nG53 G0 Z0\nG55\nG0 X1\n")), "(? ? inf), (1 ? inf)");
-  EXPECT_REFUSED("G54.1 P1", "line 3, column 1: G54.1 P1 after G54");
+  EXPECT_EQ(way(read("G21 G55\nG0 X1\nG54\nG53 Z0\nG55 X2\n")),
+            "(1 ? ?), (1 ? inf), (2 ? inf)");
+  EXPECT_REFUSED("G54.1 P1 Z4",
+                 "line 3, column 10: a position in G54.1 P1 after those in G54");
   EXPECT_REFUSED("G54.1", "line 3, column 1: G54.1 needs P");
   EXPECT_REFUSED("G154 P0", "line 3, column 6: P must be a whole number, 1 .. 300");
 }

@@ -249,11 +249,15 @@ TEST(Klartext, RefusesWhatItDoesNotKnow)
   EXPECT_EQ(refusal("TOOL CALL 2 Z S1\n4 L IX+1 FMAX"),
             "line 5, column 5: IX from an unknown position");
   EXPECT_EQ(refusal("STOP X+1"), "line 4, column 8: 'X+1' is not supported here");
-  EXPECT_EQ(refusal("M3 M8"), "line 4, column 6: 'M8' does not belong to M3");
-  EXPECT_EQ(
-      refusal("CYCL DEF 247 Q339=+2"),
-      "line 4, column 16: datum 2 after the control's own: only one work offset is "
-      "supported");
+  EXPECT_EQ(refusal("M3 M8"), "accepted");
+  EXPECT_EQ(refusal("M3 X+1"), "line 4, column 6: 'X+1' is not supported here");
+  EXPECT_EQ(refusal("M91"), "line 4, column 3: machine coordinates without X, Y or Z");
+  EXPECT_EQ(refusal("L FMAX M91"),
+            "line 4, column 3: machine coordinates without X, Y or Z");
+  EXPECT_EQ(refusal("CYCL DEF 247 Q339=+0"), "accepted") << "as programs end";
+  EXPECT_EQ(refusal("CYCL DEF 247 Q339=+2\n4 L Y+0 FMAX"),
+            "line 5, column 5: a position in datum 2 after those in the control's own "
+            "frame: only one work offset is supported");
 }
 
 TEST(Klartext, AnglesMustAgreeWithTheDirection)

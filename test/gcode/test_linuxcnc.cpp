@@ -318,7 +318,7 @@ TEST(LinuxCnc, TakesMoreThanTheReader)
       {"G92.3", "column 1: G92.3 without a G92.2"},
       {"G10 L2 P1", "column 5: L (repetition)"},
       {"G28.1", "column 1: G28.1 (setting of a reference point)"},
-      {"G55", "column 1: G55 after G54"},
+      {"G55 X1", "column 5: a position in G55 after those in G54"},
       {"M48", "column 1: M48 (overrides)"},
       {"M62 P1", "column 1: M62 (inputs and outputs)"},
       // Programs that compute.

@@ -39,7 +39,8 @@ TEST(MillOptions, TheErrorBudgetAddsUpToTheTolerance)
 {
   for (const double tolerance : {0.002, 0.02, 1.0}) {
     const auto budget = ErrorBudget::of(tolerance);
-    EXPECT_NEAR(budget.chord + budget.blend + budget.rounding, tolerance, 1e-12);
-    EXPECT_GT(std::min({budget.chord, budget.blend, budget.rounding}), 0);
+    EXPECT_NEAR(
+        budget.chord + budget.arcs + budget.blend + budget.rounding, tolerance, 1e-12);
+    EXPECT_GT(std::min({budget.chord, budget.arcs, budget.blend, budget.rounding}), 0);
   }
 }

@@ -93,6 +93,10 @@ bool KlartextForm::execute(const Word& first)
   else if (beginsWith(name, "M")) {
     Path path;
     readMachineWord(first, path);
+    while (!line_.atEnd())
+      readMachineWord(line_.next(), path);
+    if (path.machine_frame)
+      line_.fail(first, "machine coordinates without X, Y or Z");
     finishPath(path);
   }
   else
@@ -207,8 +211,7 @@ void KlartextForm::continueCycle()
   while (!line_.atEnd()) {
     const Word word = line_.next();
     if (cycle_ == 247 && beginsWith(word.text, "Q339="))
-      machine_.selectOffset("datum " + std::to_string(line_.whole(word, 5, 9999)),
-                            {line_.line(), word.column});
+      machine_.selectOffset("datum " + std::to_string(line_.whole(word, 5, 9999)));
   }
   continued_ = line_.goesOn();
 }

@@ -90,6 +90,8 @@ void KlartextForm::readFeed(const Word& word, Path& path)
 
 void KlartextForm::readMachineWord(const Word& word, Path& path)
 {
+  if (word.text.front() != 'M')
+    line_.fail(word, "'" + std::string(word.text) + "' is not supported here");
   switch (line_.whole(word, 1, 9999)) {
   case 0:
   case 1:
@@ -134,7 +136,7 @@ void KlartextForm::finishPath(const Path& path)
 double KlartextForm::position(const Coordinate& coordinate, int axis) const
 {
   if (!coordinate.incremental) {
-    machine_.enterFrame();
+    machine_.enterFrame({line_.line(), coordinate.column});
     return coordinate.value;
   }
   if (!std::isfinite(machine_.at()[axis]))
@@ -174,6 +176,8 @@ void KlartextForm::moveInMachine(const Word& word, const Path& path)
 {
   if (!path.rapid)
     line_.fail(word, "machine coordinates are supported with FMAX only");
+  if (!path.axes[0].column && !path.axes[1].column && !path.axes[2].column)
+    line_.fail(word, "machine coordinates without X, Y or Z");
   for (const auto& axis : path.axes)
     if (axis.incremental)
       refuse({line_.line(), axis.column}, "incremental machine coordinates");

@@ -42,20 +42,21 @@ void MachineState::beginSection(std::string_view name, bool by_comment)
   (by_comment ? section_named_ : section_tooled_) = true;
 }
 
-void MachineState::selectOffset(const std::string& name, Place place)
+void MachineState::selectOffset(const std::string& name)
 {
-  if (framed_ && name != offset_)
-    refuse(place,
-           name + " after " + (offset_.empty() ? "the control's own" : offset_) +
-               ": only one work offset is supported");
   offset_ = name;
+  in_part_frame_ = framed_ && name == part_offset_;
 }
 
-void MachineState::fixFrame(const char* offset)
+void MachineState::fixFrame(Place place, const char* offset)
 {
-  framed_ = true;
-  if (offset_.empty())
-    offset_ = offset;
+  if (framed_)
+    refuse(place,
+           "a position in " + offset_ + " after those in " +
+               (part_offset_.empty() ? "the control's own frame" : part_offset_) +
+               ": only one work offset is supported");
+  part_offset_ = offset_.empty() ? offset : offset_;
+  framed_ = in_part_frame_ = true;
 }
 
 void MachineState::shiftFrame(int axis, double value, Place place)
@@ -69,6 +70,7 @@ void MachineState::shiftFrame(int axis, double value, Place place)
   if (!std::isfinite(at_[axis]))
     refuse(place, "G92 at an unknown position");
   shift_[axis] = at_[axis] - value;
+  shift_rests_ = false;
 }
 
 void MachineState::dropShift(bool for_good, Place place)
@@ -80,7 +82,8 @@ void MachineState::dropShift(bool for_good, Place place)
     at_.setConstant(unknown);
     shifted_at_first_ = false;
   }
-  resting_shift_ = for_good ? Eigen::Vector3d::Zero() : shift_;
+  if (!shift_rests_)
+    resting_shift_ = shift_;
   shift_rests_ = !for_good;
   shift_.setZero();
 }
@@ -90,6 +93,7 @@ void MachineState::resumeShift(Place place)
   if (!shift_rests_)
     refuse(place, "G92.3 without a G92.2 before it");
   shift_ = resting_shift_;
+  shift_rests_ = false;
 }
 
 void MachineState::changeTool(int number, bool length)

@@ -43,15 +43,15 @@ public:
   /// @{
   /// @brief The tip, in parts NaN or infinite as ProgramMove says.
   const Eigen::Vector3d& at() const { return at_; }
-  /// @brief Selects the work offset @p name; refused where moves in another one have
-  /// gone before.
-  void selectOffset(const std::string& name, Place place);
-  /// @brief A coordinate of the program is used: its frame is that of the part.
-  /// @p offset is what is in force where none was selected.
-  void enterFrame(const char* offset = "")
+  /// @brief Selects the work offset @p name.
+  void selectOffset(const std::string& name);
+  /// @brief A coordinate of the program is used: at first its frame becomes that of the
+  /// part, later it must be that. @p offset is what is in force where none was
+  /// selected.
+  void enterFrame(Place place, const char* offset = "")
   {
-    if (!framed_)
-      fixFrame(offset);
+    if (!in_part_frame_)
+      fixFrame(place, offset);
   }
   double toPart(int axis, double value) const { return value + shift_[axis]; }
   /// @brief The tip is at @p value of a shifted frame from now on: G92.
@@ -102,7 +102,7 @@ public:
   /// @}
 
 private:
-  void fixFrame(const char* offset);
+  void fixFrame(Place place, const char* offset);
   [[noreturn]] void refuseFeedMove(const char* word, Place place) const;
   void beginSection(std::string_view name, bool by_comment);
   void emit(const Eigen::Vector3d& to, bool rapid, double feed);
@@ -117,8 +117,9 @@ private:
   Eigen::Vector3d at_ = Eigen::Vector3d::Constant(unknown);
   Eigen::Vector3d shift_ = Eigen::Vector3d::Zero(), resting_shift_ = shift_;
   bool shifted_at_first_ = false, shift_rests_ = false;
-  std::string offset_;
-  bool framed_ = false;
+  std::string offset_, part_offset_; // selected; that of the part
+  bool framed_ = false;              // the part's frame is known
+  bool in_part_frame_ = false;       // and is the one in force
 
   int tool_ = 0;
   bool tool_known_ = false, length_ = false;

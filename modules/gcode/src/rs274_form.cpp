@@ -53,8 +53,7 @@ void Rs274Form::setOffset()
   const std::string name = codeName('G', word.tenths);
   if (!block().open('P'))
     fail(word.column, name + " needs P");
-  machine_.selectOffset(name + " P" + std::to_string(whole('P', 1, 300)),
-                        place(word.column));
+  machine_.selectOffset(name + " P" + std::to_string(whole('P', 1, 300)));
 }
 
 void Rs274Form::setPath()

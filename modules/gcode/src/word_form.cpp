@@ -239,8 +239,7 @@ void WordForm::setModes()
 
 void WordForm::setOffset()
 {
-  machine_.selectOffset(codeName('G', code(Offset)->tenths),
-                        place(code(Offset)->column));
+  machine_.selectOffset(codeName('G', code(Offset)->tenths));
 }
 
 void WordForm::move()
@@ -292,7 +291,7 @@ Eigen::Vector3d WordForm::target(bool zero_stays) const
       continue;
     const double value = length(letter);
     if (block_.frame(letter, modal) == Block::Frame::Absolute) {
-      machine_.enterFrame(firstOffset(form_));
+      machine_.enterFrame(block_.place(letter), firstOffset(form_));
       to[axis] = machine_.toPart(axis, value);
       continue;
     }

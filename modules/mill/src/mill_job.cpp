@@ -16,11 +16,9 @@ namespace {
 
 /// Programs of more files are a slip.
 constexpr std::size_t kMostFiles = 1000;
-
-bool has(const std::vector<ArcPlane>& planes, ArcPlane plane)
-{
-  return std::find(planes.begin(), planes.end(), plane) != planes.end();
-}
+/// Feeds that differ by less are one where arcs take the place of chords: a quarter of
+/// a percent of the time, and a tenth of the blocks.
+constexpr double kFeedDrop = 0.05;
 
 std::string joined(const std::vector<std::string>& lines, const std::string& between)
 {
@@ -113,10 +111,12 @@ void MillJob::writeProgram(const std::vector<std::string>& remarks)
     fitter->setArcs(options_.arcs);
     const Post& post = writer.getPost();
     for (const auto plane : {ArcPlane::XY, ArcPlane::ZX, ArcPlane::YZ}) {
-      fitter->setPlane(plane, has(post.arc_planes, plane));
-      fitter->setHelixPlane(plane, has(post.helix_planes, plane));
+      fitter->setPlane(plane, post.takesArcs(plane));
+      fitter->setHelixPlane(plane, post.takesHelices(plane));
     }
     fitter->setLargestSweep(std::min(fitter->getLargestSweep(), post.largest_sweep));
+    fitter->setFloor(floor_);
+    fitter->setFeedDrop(kFeedDrop);
     return fitter;
   });
   std::vector<Operation> operations;

@@ -3,7 +3,6 @@
 // What the finishing operations cut, and how all are linked.
 #include <pointmill/finish/buffer_points.h>
 #include <pointmill/link/order_passes.h>
-#include <pointmill/link/simplify_path.h>
 #include <pointmill/mill/mill_job.h>
 
 #include <chrono>
@@ -83,17 +82,10 @@ CLCloud MillJob::rasterPasses(const ToolJob& job,
   buffer.setTool(job.tool);
   buffer.setAllowance(job.allowance);
   buffer.setFloor(floor_);
-  // Over sparse points chords would cut into every one that they may: little of the
-  // tolerance is for that. Outside, simplifying adds to what is left here.
-  const ToleranceBand band{chord / 3, chord / 2};
-  buffer.setTolerance(band);
+  // Over sparse points chords would cut into every one that they may: less inside. The
+  // fine chords become arcs when the program is written.
+  buffer.setTolerance({2 * chord / 3, chord});
   buffer.setNumberOfThreads(options_.threads);
-
-  SimplifyPath simplify;
-  simplify.setPart(surface_, job.allowance);
-  simplify.setTool(job.tool);
-  simplify.setTolerance(band);
-  simplify.setNumberOfThreads(options_.threads);
 
   CLCloud::Ptr rows(new CLCloud);
   raster.setInputCloud(clean_);
@@ -106,9 +98,8 @@ CLCloud MillJob::rasterPasses(const ToolJob& job,
   report("raster_", raster.getReport());
   if (rows->empty())
     return {};
-  auto passes = pointmill::run<PointCL>(rows, buffer, simplify);
+  auto passes = pointmill::run<PointCL>(rows, buffer);
   report("buffer_", buffer.getReport());
-  report("simplify_", simplify.getReport());
   if (options_.pattern == RasterPattern::ZigZag) { // others must not be turned round
     OrderPasses order;
     passes = pointmill::run<PointCL>(passes, order);

@@ -28,8 +28,8 @@ Verification ProgramVerifier::verify(const Program& program) const
   Verification result;
   Findings findings;
   const double safe = std::max(stock_.top(), keep_out_.highestTop());
-  const auto moves =
-      collectMoves(program, tools_, {stock_, machine_, safe, tolerance_}, result, findings);
+  const auto moves = collectMoves(
+      program, tools_, {stock_, machine_, safe, tolerance_}, result, findings);
   judgePoints(model_ ? *model_ : *part_,
               model_ ? part_.get() : nullptr,
               moves,

@@ -16,10 +16,11 @@ namespace pointmill {
 /// @brief One straight move of the tool's tip, part frame [mm].
 ///
 /// A coordinate that the program does not determine is NaN: every axis at the start, X
-/// Y Z after a tool change, Z after a change of the tool length, an axis after `G53`
-/// with a position other than Z0. After `G53 G0 Z0` Z is +infinity, "above everything":
-/// the top of the machine, wherever that is in the part frame. A feed move always has
-/// finite ends; only rapids, which then set or keep the undetermined axes, may not.
+/// Y Z after a tool change, Z after a change of the tool length, an axis at a reference
+/// point or at a position of the machine. After `G53 G0 Z0` or `G28 Z..` Z is
+/// +infinity, "above everything": the top of the machine, wherever that is in the part
+/// frame. A feed move always has finite ends; only rapids, which then set or keep the
+/// undetermined axes, may not.
 struct ProgramMove {
   Eigen::Vector3d from, to;
   double feed = 0.0;    ///< mm/min; 0 for a rapid
@@ -32,7 +33,9 @@ struct ProgramMove {
 };
 
 /// @brief A stretch of a program by one tool: from a tool change, or from a comment
-/// that names an operation, "Operation 2: finishing", to the next.
+/// that names an operation, "Operation 2: finishing", to the next. Both, in either
+/// order and without a feed move between, begin one section. Rapids before the first
+/// belong to none.
 struct ProgramSection {
   std::string name; ///< as in the comment, empty without one
   int tool = 0;
@@ -69,9 +72,10 @@ struct Program {
   std::vector<int> tools;         ///< in the order of M6
   std::size_t lines = 0;          ///< read, up to the end of the program
   bool ended = false;             ///< M2 or M30 seen
-  /// @brief Largest G64 P [mm]: how far corners may be blended. Infinite for G64
-  /// without P, 0 with only G61 or G61.1, -1 where the program leaves it to the
-  /// machine.
+  /// @brief How far corners may be blended while the program feeds [mm]: the largest
+  /// tolerance that it states, as G64 P, G187 E, G642 with CTOL or cycle 32. Infinite
+  /// for G64 without a tolerance, 0 where the path is exact (G61, G60, always for
+  /// Grbl), -1 where it leaves the matter to the machine for any feed move.
   double blend = -1.0;
   /// @brief Largest G64 Q [mm], within which the control merges lines **in addition**;
   /// P where Q is not given, as LinuxCNC does.
@@ -85,20 +89,22 @@ struct Program {
   std::string where(std::size_t line) const;
 };
 
-/// @brief Reads RS-274 as LinuxCNC understands it, without macros: G0-G4 G17-G21 G40
-/// G43 G49 G53 G54-G59 G61 G61.1 G64 G80 G90 G91 G91.1 G94, M0-M6 M8 M9 M30, F H I J K
-/// N P Q R S T X Y Z, comments and `%`.
+/// @brief Reads programs as the controls understand them, without macros, parameters,
+/// cycles and rotary axes: what posts for milling in three axes write, and ordinary
+/// programs of others. doc/stages/gcode_reader.md lists the words of each form.
 ///
-/// Arcs become chords. A program starts with LinuxCNC's G17 G90 G94; nothing else is
-/// guessed: a word that is unknown, doubled, in conflict with another or without
-/// effect, a length before G20 or G21, a feed move from an unknown position or without
-/// F, and a second work offset are DataErrors that name line, column and word, as "line
-/// 12, column 5: G81 (canned drilling) is not supported". It shares no code with
-/// GCodeWriter.
+/// Arcs become chords. Only G17 G90 G94 are taken to be in force at the start; nothing
+/// else is guessed: a word that is unknown, doubled, in conflict with another or
+/// without effect, a length without a unit, a feed move from an unknown position or
+/// without F, and a position in a second work offset are DataErrors that name line,
+/// column and word, as "line 12, column 5: G81 (canned drilling) is not supported". The
+/// part frame is that of the first position: work offset, and shift by G92. It shares
+/// no code with GCodeWriter.
 class GCodeReader {
 public:
   using MoveHandler = std::function<void(const ProgramMove&)>;
 
+  /// @brief How the programs are spelled, Rs274 by default; see formOf().
   void setForm(ProgramForm form) { form_ = form; }
   ProgramForm getForm() const { return form_; }
 
