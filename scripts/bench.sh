@@ -2,22 +2,24 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Copyright (c) 2026, the PointMill authors
 #
-# scripts/bench.sh [drop|rough] [OPTION...]
-#   Builds and runs the benchmarks, prints their tables, and puts them into BENCHMARK.md:
+# scripts/bench.sh [drop|rough|verify] [OPTION...]
+#   Builds and runs the benchmarks, prints their tables, and puts those of the first two into
+#   BENCHMARK.md:
 #     drop   the engine, with the plot doc/images/bench.svg. OPTIONs go to bench_drop:
 #            --points=1e5,1e6,1e7,1e8 takes other numbers of points (the last needs
 #            5 GiB), the rest is Google Benchmark's.
 #     rough  the roughing strategies, with the pictures doc/images/rough_*.png. OPTIONs go
 #            to bench_rough, they are Google Benchmark's.
-#   Without a word both are run, and take no OPTIONs.
+#     verify the verification of an hour of finishing. OPTIONs are Google Benchmark's.
+#   Without a word all are run, and take no OPTIONs.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
-which=${1-both}
+which=${1-all}
 case $which in
-  drop | rough) shift ;;
-  both) ;;
-  *) sed -n 's/^# \{0,1\}//; 5,12p' "$0" >&2; exit 1 ;;
+  drop | rough | verify) shift ;;
+  all) ;;
+  *) sed -n 's/^# \{0,1\}//; 5,14p' "$0" >&2; exit 1 ;;
 esac
 
 scripts/dependencies.sh build bench
@@ -26,7 +28,7 @@ options=(-DPOINTMILL_BUILD_BENCH=ON)
 [ -e build/release/build.ninja ] || options+=(-DPOINTMILL_BUILD_TESTS=OFF)
 cmake --preset release "${options[@]}"
 
-if [ "$which" != rough ]; then
+if [ "$which" = drop ] || [ "$which" = all ]; then
   cmake --build --preset release --target bench_drop
   build/release/bin/bench_drop --benchmark_repetitions=3 \
     --benchmark_out=build/release/bench.json --benchmark_out_format=json "$@"
@@ -34,7 +36,7 @@ if [ "$which" != rough ]; then
     --plot doc/images/bench.svg
 fi
 
-if [ "$which" != drop ]; then
+if [ "$which" = rough ] || [ "$which" = all ]; then
   cmake --build --preset release --target bench_rough compare_roughing
   build/release/bin/bench_rough --benchmark_repetitions=5 \
     --benchmark_out=build/release/bench_rough.json --benchmark_out_format=json "$@"
@@ -43,4 +45,9 @@ if [ "$which" != drop ]; then
     >build/release/compare_roughing.json
   scripts/rough_report.py build/release/bench_rough.json \
     build/release/compare_roughing.json --page BENCHMARK.md
+fi
+
+if [ "$which" = verify ] || [ "$which" = all ]; then
+  cmake --build --preset release --target bench_verify
+  build/release/bin/bench_verify --benchmark_repetitions=3 "$@"
 fi

@@ -146,6 +146,79 @@ TEST(StockField, NoCellThatAMoveLowersIsPassedOver)
   }
 }
 
+TEST(StockField, QuickCutsAreCuts)
+{
+  std::mt19937 random(13);
+  std::uniform_real_distribution<double> ux(-4, 24), uy(-4, 14), uz(-8, 1), u(0, 1);
+  const Tool tools[] = {Tool::flat(1, 5),
+                        Tool::ball(2, 3),
+                        Tool::bull(3, 4, 0.7),
+                        Tool::taperBall(4, 1, 8, 5),
+                        Tool::cone(5, 40, 6, 0.2)};
+  std::vector<pointmill::SweptCutter> cutters(std::begin(tools), std::end(tools));
+  StockField slow(kBox, 0.17, StockField::Bound::Nominal), quick = slow;
+  Vector3d at(0, 0, 1);
+  for (int i = 0; i < 500; ++i) {
+    Vector3d to(ux(random), uy(random), uz(random) * (1 - i / 600.0));
+    if (i % 3)
+      to = at + 0.05 * (to - at);
+    if (i % 13 == 0)
+      to = at - Vector3d(0, 0, u(random));
+    const int row0 = i % 7 ? 0 : 11, row1 = i % 5 ? slow.rows() : 40;
+    std::vector<pointmill::LoweredCell> one, two;
+    EXPECT_GE(quick.depthAlong(cutters[i % 5], at, to, row0, row1), 0);
+    const double before = quick.depthAlong(cutters[i % 5], at, to, row0, row1);
+    const Cut a = slow.cut(tools[i % 5], at, to, row0, row1, &one);
+    const Cut b = quick.cut(cutters[i % 5], at, to, row0, row1, &two);
+    ASSERT_EQ(a.depth, b.depth) << i;
+    ASSERT_EQ(a.depth, before) << i;
+    ASSERT_NEAR(a.volume, b.volume, 1e-12 * (1 + a.volume)) << i;
+    ASSERT_EQ(one.size(), two.size()) << i;
+    for (std::size_t k = 0; k < one.size(); ++k) {
+      ASSERT_EQ(one[k].column, two[k].column);
+      ASSERT_EQ(one[k].depth, two[k].depth);
+    }
+    at = to;
+  }
+  double highest = -10;
+  for (int row = 5; row < 9; ++row)
+    for (int column = 0; column < slow.columns(); ++column) {
+      ASSERT_EQ(slow.height(column, row), quick.height(column, row));
+      highest = std::max(highest, quick.height(column, row));
+    }
+  EXPECT_EQ(quick.highestIn(5, 9), highest);
+}
+
+TEST(SweptCutter, ItsFloorIsALowerBoundThatIsClose)
+{
+  std::mt19937 random(14);
+  std::uniform_real_distribution<double> u(0, 1);
+  for (const Tool& tool : {Tool::flat(1, 5),
+                           Tool::ball(2, 3),
+                           Tool::ball(2, 0.05),
+                           Tool::bull(3, 40, 0.7),
+                           Tool::taperBall(4, 1, 8, 5),
+                           Tool::cone(5, 40, 6, 0.2)}) {
+    const pointmill::SweptCutter cutter(tool);
+    const double r = tool.radius();
+    for (int i = 0; i < 5000; ++i) {
+      const double at = 1.1 * r * u(random);
+      ASSERT_LE(cutter.floor(at * at), tool.profile(at)) << tool.describe() << at;
+      if (at < 0.99 * r) {
+        ASSERT_GE(cutter.floor(at * at), tool.profile(0.998 * at) - 0.05 * r);
+      }
+    }
+    EXPECT_LE(cutter.floor(r * r), tool.profile(r));
+    EXPECT_EQ(cutter.floor(r * r * 1.001), INFINITY);
+    for (int i = 0; i < 5000; ++i) {
+      const Vector3d a(u(random), u(random), u(random)),
+          b = a + Vector3d(u(random) - 0.5, u(random) - 0.5, u(random) - 0.5);
+      const double x = 2 * u(random) - 0.5, y = 2 * u(random) - 0.5;
+      ASSERT_LE(cutter.floor(a, b, x, y), pointmill::sweptHeight(tool, a, b, x, y));
+    }
+  }
+}
+
 TEST(StockField, AProbeTakesWhatTheMovesWould)
 {
   std::mt19937 random(12);

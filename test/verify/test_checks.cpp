@@ -206,6 +206,16 @@ TEST(BodiesAtPoints, ARapidThatBendsMeetsPointsBesideItsLine)
   EXPECT_EQ(codesOf({20, 20, 1}, false), ""); // a feed move is straight
   EXPECT_EQ(codesOf({0, 20, 1}, true), "");   // so is a rapid along one axis
   EXPECT_EQ(codesOf({15, 20, 1}, true), "");  // 1 mm beside it
+  Tool held = tool;
+  held.number = 2;
+  held.stick_out = 1;
+  held.holder_diameter = 8;
+  const std::vector<SweptMove> beside{{{0, 0, 1}, {15, 20, 1}, &held, 7, true}};
+  pointmill::Findings findings;
+  judgeBends(*part, beside, 0.02, 1, findings);
+  ASSERT_EQ(findings.list().size(), 1u);
+  EXPECT_EQ(findings.list()[0].code, "holder"); // it reaches 4 mm far, from 2 upwards
+  EXPECT_NEAR(findings.list()[0].worst, 1, 1e-6);
 }
 
 TEST_F(Checks, AProgramEndsAndChangesToolsHighUp)

