@@ -47,6 +47,10 @@ TEST_F(Checks, AFlatEndMustNotBeSunkStraight)
   EXPECT_EQ(plunge.findings[0].tool, 1);
   EXPECT_FALSE(plunge.good());
 
+  // A ramp of slope 0.1 presses the end's middle, 3 mm wide, by 0.3.
+  EXPECT_EQ(codes(sunk(Text().over(15, 10).feed(15, 10, -0.28))), "");
+  EXPECT_EQ(codes(sunk(Text().over(15, 10).feed(15, 10, -0.32))), "plunge ");
+
   Text pecks;
   pecks.over(15, 10);
   for (double z = 0; z >= -1; z -= 0.05)

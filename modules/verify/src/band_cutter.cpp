@@ -14,9 +14,9 @@ constexpr double kPiece = 0.25;
 constexpr double kMeets = 0.01;
 /// Of a flat end this share of the radius does not cut.
 constexpr double kCore = 0.5;
-/// A flat end may be pressed into as much: what a skin is, or what sharpening leaves
-/// hollow [mm].
-constexpr double kSinks = 0.1;
+/// A flat end may be pressed into a skin [mm], or as deep as its middle is on a ramp of
+/// this slope, which flat end mills are taken to bear: some 6 degrees.
+constexpr double kSkin = 0.1, kRamp = 0.1;
 
 Tool shrunk(const Tool& tool, double e)
 {
@@ -161,7 +161,7 @@ void BandCutter::sink(std::size_t k,
     depth += cell.depth;
     deepest = std::max(deepest, depth);
   }
-  if (deepest > kSinks)
+  if (deepest > std::max(kSkin, 2 * kRamp * tool.core))
     events_.depths["plunge"].note(k, deepest);
 }
 

@@ -15,7 +15,7 @@ const std::vector<FindingCode>& findingCodes()
       {"gouge", error, "mm", "points of the part get too deep into a tool"},
       {"scan_gouge", error, "mm", "measured points get deeper into a tool than noise"},
       {"gap", error, "mm", "the bridge over a gap of the scan is cut into"},
-      {"residual", error, "mm", "too much stays over half of the points"},
+      {"residual", error, "mm", "half of the points keep too much material"},
       {"rapid_in_stock", error, "mm", "a rapid runs into stock"},
       {"rapid_in_part", error, "mm", "a rapid may run into points of the part"},
       {"plunge", error, "mm", "a tool that is flat in its middle is sunk into stock"},

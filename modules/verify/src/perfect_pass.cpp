@@ -16,7 +16,7 @@ namespace pointmill {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kNodesPerRadius = 8, kTilesPerRadius = 4;
+constexpr double kNodesPerRadius = 8, kTilesPerRadius = 4, kPointsPerTile = 48;
 constexpr double kSettled = 0.001; ///< search no better than this [mm]
 
 /// Where the tool stands lowest over a point, as far as it was searched.
@@ -268,7 +268,7 @@ std::vector<float> PerfectPass::heightsOver(const PointIndex& points,
                                             double close) const
 {
   std::vector<float> heights(points.size());
-  const Tiles tiles(points, tool_.radius() / kTilesPerRadius);
+  const Tiles tiles(points, tool_.radius() / kTilesPerRadius, kPointsPerTile);
   parallelFor(static_cast<std::size_t>(tiles.rows()), threads_, [&](std::size_t row) {
     TileSearch search(*grid_, tool_);
     Refinement refinement(*this, close);

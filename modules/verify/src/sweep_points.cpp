@@ -18,7 +18,7 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// Tiles of this part of the thinnest tool's radius: their bounds are tight, and they
 /// still hold points enough to be worth a bound for each move.
-constexpr double kTilesPerRadius = 3;
+constexpr double kTilesPerRadius = 3, kPointsPerTile = 16;
 /// Stretches are dealt to blocks of as many tiles each way.
 constexpr int kBlock = 2;
 
@@ -163,7 +163,7 @@ Gouges sweepPoints(const PointIndex& part,
   if (moves.empty())
     return {};
   const Stretches stretches(moves);
-  const Tiles tiles(part, stretches.thinnest() / kTilesPerRadius);
+  const Tiles tiles(part, stretches.thinnest() / kTilesPerRadius, kPointsPerTile);
   const double edge = kBlock * tiles.edge();
   const int columns = (tiles.columns() + kBlock - 1) / kBlock;
   Bands bands(part.min().y(), edge, (tiles.rows() + kBlock - 1) / kBlock);

@@ -8,22 +8,19 @@
 namespace pointmill {
 namespace {
 
-/// As many points are worth a tile of their own.
-constexpr double kMostPoints = 16;
-
-int cellsAlong(const PointIndex& points, double widest)
+int cellsAlong(const PointIndex& points, double widest, double most)
 {
   const double in_cell =
       static_cast<double>(points.size()) / points.columns() / points.rows();
-  const double full = std::ceil(std::sqrt(kMostPoints / in_cell));
+  const double full = std::ceil(std::sqrt(most / in_cell));
   return static_cast<int>(std::clamp(
       std::ceil(widest / points.cellSize()), 1.0, std::clamp(full, 1.0, 1024.0)));
 }
 
 } // namespace
 
-Tiles::Tiles(const PointIndex& points, double widest)
-    : points_(points), cells_(cellsAlong(points, widest)),
+Tiles::Tiles(const PointIndex& points, double widest, double most)
+    : points_(points), cells_(cellsAlong(points, widest, most)),
       columns_((points.columns() + cells_ - 1) / cells_),
       rows_((points.rows() + cells_ - 1) / cells_)
 {

@@ -25,7 +25,8 @@ class Tiles {
 public:
   /// @param widest edge of a tile [mm], less where the points are dense; a tile is one
   /// cell where these are wider
-  Tiles(const PointIndex& points, double widest);
+  /// @param most as many points are worth a tile of their own
+  Tiles(const PointIndex& points, double widest, double most);
 
   int columns() const { return columns_; }
   int rows() const { return rows_; }
