@@ -171,8 +171,10 @@ TEST_F(Check, ARapidThroughThePartIsRefused)
   const auto change = program_.find("T1 M6");
   const auto line = program_.find("\nG0 Z", change); // the approach's first block
   const auto next = program_.find('\n', program_.find('\n', line + 1) + 1);
+  const auto place = program_.find('\n', line + 1) + 1; // the second one
+  const std::string back = program_.substr(place, next + 1 - place);
   std::string bad = program_;
-  bad.insert(next + 1, "G0 X30. Y30.\nZ-12.\nZ5.\n");
+  bad.insert(next + 1, "G0 X30. Y30.\nZ-12.\nZ5.\n" + back);
   EXPECT_TRUE(refuses(bad, "rapid_in_stock"));
   EXPECT_TRUE(refuses(bad, "gouge"));
 }

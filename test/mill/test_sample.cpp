@@ -71,7 +71,10 @@ TEST_F(Sample, AllFilesAreWrittenAndNothingElse)
   }
   std::sort(files.begin(), files.end());
   EXPECT_EQ(files,
-            (std::vector<std::string>{"cl.pcd",
+            (std::vector<std::string>{"bridges.pcd",
+                                      "cl.pcd",
+                                      "deviation.png",
+                                      "model.pcd",
                                       "occupancy_1.png",
                                       "occupancy_2.png",
                                       "occupancy_3.png",

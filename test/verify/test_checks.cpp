@@ -49,7 +49,12 @@ TEST_F(Checks, AFlatEndMustNotBeSunkStraight)
 
   // A ramp of slope 0.1 presses the end's middle, 3 mm wide, by 0.3.
   EXPECT_EQ(codes(sunk(Text().over(15, 10).feed(15, 10, -0.28))), "");
-  EXPECT_EQ(codes(sunk(Text().over(15, 10).feed(15, 10, -0.32))), "plunge ");
+  const auto pressed = sunk(Text().over(15, 10).feed(15, 10, -0.32));
+  EXPECT_EQ(codes(pressed), "pressed_in ");
+  EXPECT_TRUE(pressed.good());
+  // A tenth of the diameter, 6 mm, is too much.
+  EXPECT_EQ(codes(sunk(Text().over(15, 10).feed(15, 10, -0.58))), "pressed_in ");
+  EXPECT_EQ(codes(sunk(Text().over(15, 10).feed(15, 10, -0.62))), "plunge ");
 
   Text pecks;
   pecks.over(15, 10);

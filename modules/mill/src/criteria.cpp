@@ -19,6 +19,10 @@ namespace {
 namespace fs = std::filesystem;
 using json::Json;
 
+/// A thicker layer at once than this is worth a warning, in diameters of the tool's
+/// end.
+constexpr double kDeep = 1.5;
+
 pcl::PointCloud<pcl::PointXYZ> cloudOf(const PointIndex& points)
 {
   pcl::PointCloud<pcl::PointXYZ> cloud;
@@ -88,6 +92,8 @@ Verification Criteria::judge(const Program& program) const
     verifier.setRawStock(raw, raw_reach);
   verifier.setTools(tools);
   verifier.setMachine(machine);
+  for (const auto& tool : tools)
+    verifier.setAxialLimit(tool.number, kDeep * tool.endDiameter());
   verifier.setKeepOut(keep_out);
   // What the control may add by blending corners cannot be seen in the text.
   verifier.setTolerance(gougeLimit());

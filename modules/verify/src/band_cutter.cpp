@@ -17,6 +17,9 @@ constexpr double kCore = 0.5;
 /// A flat end may be pressed into a skin [mm], or as deep as its middle is on a ramp of
 /// this slope, which flat end mills are taken to bear: some 6 degrees.
 constexpr double kSkin = 0.1, kRamp = 0.1;
+/// Deeper than this share of its diameter it must not go at all: what lies between is
+/// worth a warning, as most flat end mills cut over their centre.
+constexpr double kPressed = 0.1;
 
 Tool shrunk(const Tool& tool, double e)
 {
@@ -161,8 +164,13 @@ void BandCutter::sink(std::size_t k,
     depth += cell.depth;
     deepest = std::max(deepest, depth);
   }
-  if (deepest > std::max(kSkin, 2 * kRamp * tool.core))
-    events_.depths["plunge"].note(k, deepest);
+  const double borne = std::max(kSkin, 2 * kRamp * tool.core);
+  if (deepest > borne)
+    events_
+        .depths[deepest > std::max(borne, kPressed * piece_.tool->diameter)
+                    ? "plunge"
+                    : "pressed_in"]
+        .note(k, deepest);
 }
 
 void BandCutter::bodies(std::size_t k, const SimulatedTool& tool)

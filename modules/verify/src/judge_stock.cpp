@@ -109,11 +109,14 @@ void judgeStock(StockField field,
 {
   const StockEvents events =
       cutAll(field, moves, limits, result.sections.size(), threads);
-  for (const auto& [code, depths] : events.depths)
+  for (const auto& [code, depths] : events.depths) {
+    if (code == std::string("pressed_in") && events.depths.count("plunge"))
+      continue; // the beginnings of what is said already
     for (const auto& [k, depth] : depths.byMove()) {
       const SweptMove& m = moves[k];
       findings.add(code.c_str(), depth, m.b, m.line, m.tool->number);
     }
+  }
   const auto rapids = events.depths.find("rapid_in_stock");
   if (rapids != events.depths.end())
     for (const auto& [k, depth] : rapids->second.byMove()) {
