@@ -181,9 +181,12 @@ int runMill(MillCommand& command)
   try {
     job.plan(command.scan);
   }
-  catch (const VerificationError&) {
+  catch (const VerificationError& e) {
     job.writeRefusal(command.directory);
-    throw;
+    throw VerificationError(
+        std::string(e.what()) + "; " +
+        (std::filesystem::path(command.directory) / "refused.png").string() +
+        " shows where");
   }
   job.write(command.directory);
   if (shown)

@@ -133,8 +133,12 @@ if(NOT here STREQUAL "part.pcd")
 endif()
 
 # 3: refused: the finishing leaves more than may be left
-run(3 "verification" mill ${DATA}/dome.pcd -o out --finish-allowance 0.3
-    --residual-limit 0.05)
+run(3 "verification.*residual.*refused.png" mill ${DATA}/dome.pcd -o refused
+    --finish-allowance 0.3 --residual-limit 0.05)
+file(GLOB written RELATIVE ${WORK}/refused ${WORK}/refused/*)
+if(NOT written STREQUAL "refused.json;refused.png")
+  message(SEND_ERROR "a refused job wrote ${written}")
+endif()
 
 # 0: good, with a directory that is there already, and by its default name
 file(MAKE_DIRECTORY ${WORK}/good)
@@ -146,6 +150,39 @@ foreach(name program.ngc part.pcd cl.pcd preview.png report.json notes.txt)
   endif()
 endforeach()
 run(0 "^$" mill ${DATA}/dome.pcd --quiet)
+
+file(WRITE ${WORK}/drill.ngc "G21 G81 X1 Y1 Z-3 R1 F100\n")
+# check: the same program, one that is wrong, one that is none, and no job
+run(0 "passed\n$" check good/program.ngc --dir good --picture good/findings.png
+    --deviation good/deviation.pcd --milled good/milled.stl)
+foreach(name findings.png deviation.pcd milled.stl)
+  if(NOT EXISTS ${WORK}/good/${name})
+    message(SEND_ERROR "good/${name} is missing")
+  endif()
+endforeach()
+run(0 "^$" check good/program.ngc --dir good --quiet)
+file(READ ${WORK}/good/program.ngc program)
+string(REPLACE "T3 M6\nG43 H3" "T1 M6\nG43 H1" wrong "${program}")
+file(WRITE ${WORK}/wrong.ngc "${wrong}")
+execute_process(
+  COMMAND ${PROGRAM} check wrong.ngc --dir good
+  WORKING_DIRECTORY ${WORK} RESULT_VARIABLE status OUTPUT_VARIABLE output)
+if(NOT status EQUAL 3 OR NOT output MATCHES "error gouge: .*line [0-9]+.*refused\n$")
+  message(SEND_ERROR "a wrong tool: exit code ${status}, ${output}")
+endif()
+run(2 "drill.ngc: line 1, column 5: G81" check drill.ngc --dir good)
+run(2 "missing.ngc" check missing.ngc --dir good)
+run(2 "nowhere.*report.json" check good/program.ngc --dir nowhere)
+run(1 "--dir" check good/program.ngc)
+run(1 "nearest|did you mean" check good/program.ngc --dir good --post hass)
+
+# posts
+run(0 "program_1_T1.nc.*program_3_T3.nc" mill ${DATA}/dome.pcd -o grbl --post grbl)
+run(1 "post.*linuxcnc" mill ${DATA}/dome.pcd -o out --post lathe)
+file(WRITE ${WORK}/mine.yaml "base: haas\nextension: tap\n")
+run(0 "program.tap" mill ${DATA}/dome.pcd -o mine --post ./mine.yaml)
+file(WRITE ${WORK}/bad.yaml "base: haas\nextention: tap\n")
+run(2 "bad.yaml:2: unknown key .extention." mill ${DATA}/dome.pcd -o out --post ./bad.yaml)
 run(0 "T2 bull 4 mm corner 1 mm .*T3 taper ball 2 mm, 5 deg, to 4 mm .*verified"
     mill ${DATA}/dome.pcd -o cutters --semi-corner 1 --semi-diameter 4 --semi-type bull
     --finish-diameter 4 --finish-tip 2 --finish-taper 5 --finish-type taper)

@@ -239,9 +239,16 @@ void MillJob::plan(const std::string& scan)
   if (passed_)
     return;
   const auto findings = findingLines(verification(), judgement_.program);
-  if (!options_.force)
-    throw VerificationError("the program fails its verification and was not written: " +
-                            joined(findings, "; "));
+  if (!options_.force) // errors come first
+    throw VerificationError(
+        "the program fails its verification and was not written: " +
+        joined({findings.begin(),
+                findings.begin() + std::count_if(verification().findings.begin(),
+                                                 verification().findings.end(),
+                                                 [](const Finding& f) {
+                                                   return f.severity == Severity::Error;
+                                                 })},
+               "; "));
   // Its head says what is wrong with it, and the lines are counted anew.
   std::vector<std::string> remarks{"FORCED: this program fails its verification"};
   remarks.insert(remarks.end(), findings.begin(), findings.end());
