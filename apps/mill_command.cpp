@@ -186,7 +186,7 @@ int runMill(MillCommand& command)
     throw VerificationError(
         std::string(e.what()) + "; " +
         (std::filesystem::path(command.directory) / "refused.png").string() +
-        " shows where");
+        " shows it");
   }
   job.write(command.directory);
   if (shown)

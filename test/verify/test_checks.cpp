@@ -336,7 +336,7 @@ TEST_F(Checks, FindingsComeAsTheirTableHasThem)
     EXPECT_FALSE(f.text.empty());
   EXPECT_EQ(result.findings[0].text,
             "points of the part get too deep into a tool: 0.500 mm, " +
-                std::to_string(cloud->size()) + " times, T1");
+                std::to_string(cloud->size()) + " points, T1");
 }
 
 TEST(FindingCodes, StandOnTheStagesPage)

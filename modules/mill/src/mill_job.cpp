@@ -165,6 +165,7 @@ void MillJob::setCriteria()
   criteria_.machine = options_.machine;
   criteria_.tolerance = options_.tolerance;
   criteria_.blend = budget.blend;
+  criteria_.arc_error = budget.rounding / 2;
   criteria_.corners_by_control = options_.writer.getCorners() == Corners::Control;
   criteria_.form = options_.writer.getPost().form;
   if (options_.boundary.empty()) // beyond a polygon all is left over

@@ -95,7 +95,7 @@ void MillOptions::validate() const
 
 ErrorBudget ErrorBudget::of(double tolerance)
 {
-  return {0.15 * tolerance, 0.3 * tolerance, 0.5 * tolerance, 0.05 * tolerance};
+  return {0.225 * tolerance, 0.225 * tolerance, 0.5 * tolerance, 0.05 * tolerance};
 }
 
 } // namespace pointmill

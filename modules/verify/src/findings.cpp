@@ -58,6 +58,12 @@ const std::vector<FindingCode>& findingCodes()
 
 namespace {
 
+/// What is counted.
+const char* things(const std::string& code)
+{
+  return code == "gouge" || code == "scan_gouge" || code == "gap" ? "points" : "times";
+}
+
 std::string textOf(const FindingCode& code, const Finding& finding)
 {
   std::ostringstream text;
@@ -77,7 +83,7 @@ std::string textOf(const FindingCode& code, const Finding& finding)
       next() << "without limit";
   }
   if (finding.count > 1)
-    next() << finding.count << " times";
+    next() << finding.count << " " << things(code.code);
   if (finding.tool > 0)
     next() << "T" << finding.tool;
   return text.str();

@@ -41,7 +41,7 @@ struct Criteria {
   double cell = 0.25;
   ProgramForm form = ProgramForm::Rs274; ///< how programs for the machine are spelled
   /// Chords that stand for arcs lie so near to them [mm].
-  double arc_error = 2e-4;
+  double arc_error = 5e-4;
   unsigned threads = 0;
 
   /// @brief Deepest gouge that the text of a program may show.
