@@ -97,6 +97,9 @@ Stock boxOf(const std::vector<double>& b)
 void setCutting(MillOptions& o, const MillCommand& command)
 {
   const WorkMaterial& material = workMaterial(command.material);
+  if (o.machine.max_spindle <= 0)
+    throw ParameterError("mill: --material needs --max-spindle: small tools in soft "
+                         "material would turn faster than any spindle");
   const auto set = [&](const ToolOptions& said, ToolJob& job, CutKind kind) {
     CutSetting cut;
     cut.material = material;

@@ -12,6 +12,13 @@ mkdir -p doc/images
 cp out/sample/preview.png doc/images/sample.png
 cp out/sample/occupancy_2.png doc/images/occupancy.png
 
+# A program with the wrong tool, and why it is refused.
+sed 's/^T3 M6$/T1 M6/; s/^G43 H3$/G43 H1/' out/sample/program.ngc >out/sample/wrong_tool.ngc
+status=0
+build/release/bin/pointmill check out/sample/wrong_tool.ngc --dir out/sample --quiet \
+  --picture doc/images/refused.png || status=$?
+[ $status = 3 ]
+
 # Without the seconds that it took, the last column: they differ from run to run.
 figures=$(build/release/bin/pointmill mill data/sample_scan.pcd -o out/sample |
           sed -E '/^operation/,/^verified/ { /^verified/! s/ +[^ ]+$// }')

@@ -104,6 +104,11 @@ run(0 "18000 rev/min  <- max spindle\n.* <- max feed, power\n.*<- it rubs\n.*100
     cutting --material hardwood --type ball --diameter 6 --max-spindle 18000
     --max-feed 2000 --power 10 --length 1000)
 
+run(1 "--material needs --max-spindle" mill ${DATA}/dome.pcd -o out --material brass)
+run(1 "did you mean" mill ${DATA}/dome.pcd -o out --material bras --max-spindle 24000)
+run(1 "T3 ball 3 mm: spindle is 16000 rpm" mill ${DATA}/dome.pcd -o out
+    --max-spindle 12000)
+
 # 2: bad input
 run(2 "missing.pcd" mill missing.pcd -o out)
 file(WRITE ${WORK}/garbage.pcd "this is no point cloud\n")
@@ -175,6 +180,14 @@ run(2 "missing.ngc" check missing.ngc --dir good)
 run(2 "nowhere.*report.json" check good/program.ngc --dir nowhere)
 run(1 "--dir" check good/program.ngc)
 run(1 "nearest|did you mean" check good/program.ngc --dir good --post hass)
+
+# speeds and feeds of a material
+run(0 "passed|verified" mill ${DATA}/dome.pcd -o wood --material beech --max-spindle 18000
+    --finish-feed 900)
+file(READ ${WORK}/wood/report.json report)
+if(NOT report MATCHES "\"spindle_rpm\": 18000.0" OR NOT report MATCHES "\"feed_mm_min\": 900.0")
+  message(SEND_ERROR "wood/report.json: speeds and feeds are not those of the material")
+endif()
 
 # posts
 run(0 "program_1_T1.nc.*program_3_T3.nc" mill ${DATA}/dome.pcd -o grbl --post grbl)
