@@ -196,6 +196,25 @@ TEST_F(Entering, AHelixMakesAPassThatIsTooShortForAFlatEnd)
   EXPECT_EQ(report("helices"), 1);
 }
 
+TEST_F(Entering, ARampTurnsWhereAFlatEndWouldSinkAsItComesBack)
+{
+  linker.setHelixRadius(0);
+  linker.setPart(nullptr, 0, 0); // no entry from outside
+  CLCloud passes;
+  addPass(passes, 0, {{10, 15, -3}, {16, 15, -3}, {16, 15, -2}, {24, 15, -2}});
+  const auto path = link(linker, passes);
+  expectSound(path, 8, cutting, 5);
+  EXPECT_EQ(report("ramps"), 1);
+  Heap heap(kBox, 0.2);
+  for (std::size_t i = 1; i < path.size(); ++i) {
+    const Eigen::Vector3d a = position(path[i - 1]), b = position(path[i]);
+    const double taken = isRapid(path[i]) ? 0.0 : heap.cut(tool, a, b);
+    if ((b - a).head<2>().norm() < 1e-6 && b.z() < a.z()) {
+      EXPECT_LE(taken, 0.06) << i;
+    }
+  }
+}
+
 TEST_F(Entering, KeepsOutOfZones)
 {
   // As NotFromOutsideThroughThePart, with a clamp in place of the wall.

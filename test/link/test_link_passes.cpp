@@ -261,6 +261,7 @@ TEST_F(Linking, DescendingCutsAreSlowedToThePlungeFeed)
   CLCloud passes;
   addPass(passes, 0, {{-4, 9, 4}, {6, 9, -6}, {16, 9, -6}, {26, 9, 4}});
   linker.setStock(nullptr); // in the air: nothing but the slope decides
+  linker.setFeedStep(0);
   const auto path = link(linker, passes);
   bool down = false, level = false, up = false;
   for (std::size_t i = 1; i < path.size(); ++i) {

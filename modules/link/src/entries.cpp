@@ -52,13 +52,17 @@ Entry Entries::downFrom(const std::vector<Vector3d>& pass, double z) const
   const Vector3d& start = pass.front();
   Entry entry;
   entry.steps.push_back({{start.x(), start.y(), z}, Motion::Plunge});
+  // As long as the flat's radius: then its middle, half as wide, is nowhere pressed
+  // down all the way.
+  const Tool& tool = around_.tool;
+  const double flat = tool.flatRadius(), longest = 2 * tool.diameter;
   const auto ramp =
-      rampAlong(pass, z - start.z(), ramp_angle_, 2 * around_.tool.diameter);
+      rampAlong(pass, z - start.z(), ramp_angle_, flat > 0 ? flat : longest, longest);
   for (const auto& p : ramp)
     entry.steps.push_back({p, Motion::Ramp});
   if (!ramp.empty())
     entry.kind = EntryKind::Ramp;
-  else if (around_.tool.flatRadius() > 0)
+  else if (flat > 0)
     return {};
   else {
     entry.kind = EntryKind::Plunge;

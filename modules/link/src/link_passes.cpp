@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the PointMill authors
+#include "feed_steps.h"
 #include "pass_linker.h"
 
 #include <pointmill/link/link_passes.h>
@@ -66,6 +67,8 @@ void LinkPasses::apply(CLCloud& output)
     linker.add(pass);
   linker.finish();
   cut_ = path.figures();
+  if (feed_step_ > 0)
+    stepFeeds(output, cutting_, feed_step_);
 
   const auto set = [&](const char* name, auto value) {
     report_.set(name, static_cast<double>(value));

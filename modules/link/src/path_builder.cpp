@@ -16,7 +16,7 @@ feedOf(const Cutting& cutting, const Vector3d& from, const Vector3d& to, Motion 
   if (motion == Motion::Plunge)
     feed = cutting.plunge_feed;
   else if (motion == Motion::Ramp)
-    feed = std::min(cutting.feed, std::max(cutting.plunge_feed, cutting.feed / 2));
+    feed = rampFeed(cutting);
   const double down = from.z() - to.z();
   if (down > 0)
     feed = std::min(feed, cutting.plunge_feed * (to - from).norm() / down);

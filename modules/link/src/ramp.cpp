@@ -12,13 +12,17 @@ using Eigen::Vector3d;
 std::vector<Vector3d> rampAlong(const std::vector<Vector3d>& pass,
                                 double height,
                                 double degrees,
+                                double shortest,
                                 double longest)
 {
-  // The stretch that is ramped on, cut off at its length.
+  // The stretch that is ramped on, cut off at its length, or where the tool would sink
+  // down what it climbs as it comes back.
   std::vector<Vector3d> track{pass.front()};
   double length = 0;
   for (std::size_t i = 1; i < pass.size() && length < longest; ++i) {
     const double step = (pass[i] - pass[i - 1]).head<2>().norm();
+    if (length >= shortest && std::abs(pass[i].z() - pass[i - 1].z()) > step)
+      break;
     if (length + step > longest)
       track.push_back(pass[i - 1] +
                       (pass[i] - pass[i - 1]) * ((longest - length) / step));

@@ -7,6 +7,8 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
+
 namespace pointmill {
 
 /// Thinner stock than this over an entry or a link is swarf, not material [mm].
@@ -35,6 +37,12 @@ inline Eigen::Vector3d position(const PointCL& p)
 inline bool isRapid(Motion motion)
 {
   return motion == Motion::Rapid || motion == Motion::Retract;
+}
+
+/// The feed of ramps and helices [mm/min].
+inline double rampFeed(const Cutting& cutting)
+{
+  return std::min(cutting.feed, std::max(cutting.plunge_feed, cutting.feed / 2));
 }
 
 /// The feed of a move [mm/min] before heavy cuts slow it: never down faster than the

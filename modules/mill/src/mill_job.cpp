@@ -16,9 +16,6 @@ namespace {
 
 /// Programs of more files are a slip.
 constexpr std::size_t kMostFiles = 1000;
-/// Feeds that differ by less are one where arcs take the place of chords: a quarter of
-/// a percent of the time, and a tenth of the blocks.
-constexpr double kFeedDrop = 0.05;
 
 std::string joined(const std::vector<std::string>& lines, const std::string& between)
 {
@@ -116,7 +113,6 @@ void MillJob::writeProgram(const std::vector<std::string>& remarks)
     }
     fitter->setLargestSweep(std::min(fitter->getLargestSweep(), post.largest_sweep));
     fitter->setFloor(floor_);
-    fitter->setFeedDrop(kFeedDrop);
     return fitter;
   });
   std::vector<Operation> operations;

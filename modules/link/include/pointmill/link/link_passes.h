@@ -60,6 +60,11 @@ public:
   /// none.
   void setLeadRadius(double radius) { lead_radius_ = radius; }
   double getLeadRadius() const { return lead_radius_; }
+  /// @brief Feeds come in steps of at most this share, down from the full feed and the
+  /// plunge feed, so that few moves change them; none is raised. 0: each move has its
+  /// own.
+  void setFeedStep(double share) { feed_step_ = share; }
+  double getFeedStep() const { return feed_step_; }
   /// @brief How fast rapids are taken to be [mm/min], to choose the quickest way.
   void setRapidRate(double rate) { rapid_rate_ = rate; }
   double getRapidRate() const { return rapid_rate_; }
@@ -113,6 +118,7 @@ public:
       Range{0, 0.5},
       "greatest radius of helical entries over the end's diameter");
     v("lead_radius", lead_radius_, "mm", Range{0, 50}, "arcs into and out of passes");
+    v("feed_step", feed_step_, "", Range{0, 0.5}, "largest share between two feeds");
     v("rapid_rate", rapid_rate_, "mm/min", Range{1, 1e6}, "speed of rapids");
   }
 
@@ -126,6 +132,7 @@ private:
   double clearance_ = std::numeric_limits<double>::quiet_NaN();
   double approach_ = 1.0, ramp_angle_ = 3.0, stay_down_ = 0.0;
   double helix_radius_ = 0.45, lead_radius_ = 0.0, rapid_rate_ = 5000.0;
+  double feed_step_ = 0.05;
   bool low_rapids_ = false;
   std::shared_ptr<StockField> stock_, nominal_;
   std::shared_ptr<const PointIndex> part_;
