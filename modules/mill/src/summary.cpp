@@ -210,6 +210,7 @@ std::vector<std::string> warningsOf(const MillJob& job)
 std::string summaryOf(const MillJob& job, const std::string& directory)
 {
   const Verification& v = job.verification();
+  const MillOptions& o = job.options();
   const Eigen::Vector3d size = job.partSize();
   std::string text =
       print("part       %.2f x %.2f x %.2f mm, %zu points (%zu strays removed)\n",
@@ -267,6 +268,12 @@ std::string summaryOf(const MillJob& job, const std::string& directory)
   const auto at = [&](const char* name) {
     return (std::filesystem::path(directory) / name).string() + "\n";
   };
+  const GCodeWriter::Statistics& written = job.programFigures();
+  text += print("blocks     %zu, %.2f MB, for %s; %zu moves were planned\n",
+                written.lines,
+                double(written.bytes) / 1e6,
+                o.writer.getPost().control.c_str(),
+                written.feed_moves + written.rapids);
   for (const auto& program : job.programs())
     text += "program    " + at(program.name.c_str());
   text += "picture    " + at("preview.png");
