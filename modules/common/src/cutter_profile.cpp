@@ -53,7 +53,8 @@ double aheadOnRounding(double centre,
     return std::clamp(fall * std::sqrt(on / (1 + fall * fall)), lo, hi);
   }
   // A torus has no closed form. At the angle w of its rounding, sin w = s, the sum is
-  // stationary where tan(w) ahead / r = fall. Short moves mostly rise or fall all along.
+  // stationary where tan(w) ahead / r = fall. Short moves mostly rise or fall all
+  // along.
   const auto rise = [&](double a) {
     const double r = std::sqrt(off * off + a * a), u = std::max(0.0, r - centre);
     return u * a - fall * r * std::sqrt(std::max(0.0, round * round - u * u));

@@ -41,8 +41,7 @@ double sweptHeight(const CutterProfile& cutter,
   if (dz != 0) {
     const double length = std::sqrt(len2), way = dz < 0 ? length : -length;
     const auto [lo, hi] = std::minmax({(first - middle) * way, (last - middle) * way});
-    t = middle +
-        cutter.ahead(std::sqrt(off2), std::abs(dz) / length, lo, hi) / way;
+    t = middle + cutter.ahead(std::sqrt(off2), std::abs(dz) / length, lo, hi) / way;
     t = std::clamp(t, first, last);
   }
   const double d2 = off2 + (t - middle) * (t - middle) * len2;

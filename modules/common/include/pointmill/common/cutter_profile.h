@@ -59,9 +59,10 @@ public:
   /// its distance to the surface; negative outside.
   double depth(double r, double z) const;
 
-  /// @brief The value a in [@p lo, @p hi] that makes `height(sqrt(off^2 + a^2)) - fall *
-  /// a` least: how far ahead [mm] of a place at @p off beside the track the axis stands
-  /// when the cutter, on a move that sinks by @p fall per mm, is lowest over that place.
+  /// @brief The value a in [@p lo, @p hi] that makes `height(sqrt(off^2 + a^2)) - fall
+  /// * a` least: how far ahead [mm] of a place at @p off beside the track the axis
+  /// stands when the cutter, on a move that sinks by @p fall per mm, is lowest over
+  /// that place.
   /// @param off in 0 .. radius [mm]; @param fall > 0
   /// @param lo,hi where the axis may stand, the cutter over the place [mm]; negative
   /// where it has passed it
