@@ -58,8 +58,9 @@ TEST(Sweep, HeightAgreesWithManySmallSteps)
 
 TEST(Sweep, ASlantedMoveIsLowestWhereASearchAlongItSays)
 {
-  // Short and long, gentle and steep, up and down: the lowest place may be either end of
-  // what passes over, or between them on the tip, the rounding, the cone or the shoulder.
+  // Short and long, gentle and steep, up and down: the lowest place may be either end
+  // of what passes over, or between them on the tip, the rounding, the cone or the
+  // shoulder.
   const Tool tools[] = {Tool::bull(1, 6, 1),
                         Tool::bull(2, 6, 2.9),
                         Tool::ball(3, 6),
