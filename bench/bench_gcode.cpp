@@ -112,13 +112,16 @@ void readRows(benchmark::State& state, const std::string& post, int rows)
 
 int main(int argc, char** argv)
 {
-  const auto add = [](const std::string& name, auto run, const std::string& post, int rows) {
-    const std::string blocks = std::to_string(rows * kColumns);
-    benchmark::RegisterBenchmark(
-        (name + "/" + post + "/" + blocks).c_str(),
-        [=](benchmark::State& state) { run(state, post, rows); })
-        ->Unit(benchmark::kMillisecond);
-  };
+  const auto add =
+      [](const std::string& name, auto run, const std::string& post, int rows) {
+        const std::string blocks = std::to_string(rows * kColumns);
+        benchmark::RegisterBenchmark(
+            (name + "/" + post + "/" + blocks).c_str(),
+            [=](benchmark::State& state) { run(state, post, rows); })
+            ->Unit(benchmark::kMillisecond)
+            ->UseRealTime()
+            ->MeasureProcessCPUTime(); // threads encode the text
+      };
   const auto addBoth = [&](const std::string& post, int rows) {
     add("write", writeRows, post, rows);
     add("read", readRows, post, rows);
