@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the PointMill authors
-// How many blocks a second are written and read. Names are write/POST, read/POST.
+// How many blocks a second are written and read, a million for each control and ten
+// millions for one. Names are write/POST/BLOCKS, read/POST/BLOCKS.
 #include <pointmill/gcode/gcode_reader.h>
 #include <pointmill/gcode/gcode_writer.h>
 
 #include <benchmark/benchmark.h>
 
 #include <cmath>
+#include <map>
 #include <sstream>
+#include <streambuf>
 #include <string>
 #include <vector>
 
@@ -15,8 +18,7 @@ using namespace pointmill;
 
 namespace {
 
-constexpr int kRows = 1000;
-constexpr int kColumns = 1000; ///< 10^6 blocks: rows over a wavy surface
+constexpr int kColumns = 1000; ///< blocks in each row over a wavy surface
 
 PointCL at(double x, double y, double z, Motion how)
 {
@@ -25,15 +27,15 @@ PointCL at(double x, double y, double z, Motion how)
   return p;
 }
 
-std::vector<Operation> makeRows()
+std::vector<Operation> makeRows(int rows)
 {
   Operation op;
   op.name = "rows";
   op.tool = Tool::ball(1, 6.0);
   op.path.push_back(at(0, 0, 10, Motion::Rapid));
-  for (int r = 0; r < kRows; ++r)
+  for (int r = 0; r < rows; ++r)
     for (int i = 0; i < kColumns; ++i) {
-      const double x = 0.1 * (r % 2 ? kColumns - 1 - i : i), y = 0.1 * r;
+      const double x = 0.1 * (r % 2 ? kColumns - 1 - i : i), y = 100.0 * r / rows;
       op.path.push_back(at(x,
                            y,
                            3 * std::sin(x / 7) * std::cos(y / 11) - 3,
@@ -44,11 +46,21 @@ std::vector<Operation> makeRows()
   return {op};
 }
 
-const std::vector<Operation>& rows()
+/// Made once for all that are measured with as many.
+const std::vector<Operation>& operations(int rows)
 {
-  static const auto operations = makeRows();
-  return operations;
+  static std::map<int, std::vector<Operation>> made;
+  auto& of_rows = made[rows];
+  if (of_rows.empty())
+    of_rows = makeRows(rows);
+  return of_rows;
 }
+
+/// Takes what is written and keeps nothing.
+struct Nowhere : std::streambuf {
+  int overflow(int c) override { return c; }
+  std::streamsize xsputn(const char*, std::streamsize n) override { return n; }
+};
 
 GCodeWriter writerOf(const std::string& post)
 {
@@ -66,22 +78,24 @@ void count(benchmark::State& state, double blocks, double bytes)
   state.counters["bytes/s"] = Counter(bytes, kind);
 }
 
-void writeRows(benchmark::State& state, const std::string& post)
+void writeRows(benchmark::State& state, const std::string& post, int rows)
 {
   const auto writer = writerOf(post);
+  const auto& job = operations(rows);
   GCodeWriter::Statistics statistics;
   for (auto _ : state) {
-    std::ostringstream out;
-    statistics = writer.write(rows(), out);
+    Nowhere nowhere;
+    std::ostream out(&nowhere);
+    statistics = writer.write(job, out);
   }
   count(state, double(statistics.lines), double(statistics.bytes));
 }
 
-void readRows(benchmark::State& state, const std::string& post)
+void readRows(benchmark::State& state, const std::string& post, int rows)
 {
   const auto writer = writerOf(post);
   std::ostringstream out;
-  const auto statistics = writer.write(rows(), out);
+  const auto statistics = writer.write(operations(rows), out);
   const std::string text = out.str();
   GCodeReader reader;
   reader.setForm(writer.getPost().form);
@@ -98,16 +112,23 @@ void readRows(benchmark::State& state, const std::string& post)
 
 int main(int argc, char** argv)
 {
-  for (const auto& post : Post::names()) {
-    const auto add = [&post](const std::string& name, auto run) {
-      benchmark::RegisterBenchmark(
-          (name + "/" + post).c_str(),
-          [run, post](benchmark::State& state) { run(state, post); })
-          ->Unit(benchmark::kMillisecond);
-    };
-    add("write", writeRows);
-    add("read", readRows);
-  }
+  const auto add =
+      [](const std::string& name, auto run, const std::string& post, int rows) {
+        const std::string blocks = std::to_string(rows * kColumns);
+        benchmark::RegisterBenchmark(
+            (name + "/" + post + "/" + blocks).c_str(),
+            [=](benchmark::State& state) { run(state, post, rows); })
+            ->Unit(benchmark::kMillisecond)
+            ->UseRealTime()
+            ->MeasureProcessCPUTime(); // threads encode the text
+      };
+  const auto addBoth = [&](const std::string& post, int rows) {
+    add("write", writeRows, post, rows);
+    add("read", readRows, post, rows);
+  };
+  for (const auto& post : Post::names())
+    addBoth(post, 1000);
+  addBoth("linuxcnc", 10000);
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv))
     return 1;

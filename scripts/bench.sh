@@ -2,14 +2,15 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Copyright (c) 2026, the PointMill authors
 #
-# scripts/bench.sh [drop|rough|verify] [OPTION...]
-#   Builds and runs the benchmarks, prints their tables, and puts those of the first two into
-#   BENCHMARK.md:
+# scripts/bench.sh [drop|rough|gcode|verify] [OPTION...]
+#   Builds and runs the benchmarks, prints their tables, and puts those into BENCHMARK.md:
 #     drop   the engine, with the plot doc/images/bench.svg. OPTIONs go to bench_drop:
 #            --points=1e5,1e6,1e7,1e8 takes other numbers of points (the last needs
 #            5 GiB), the rest is Google Benchmark's.
 #     rough  the roughing strategies, with the pictures doc/images/rough_*.png. OPTIONs go
 #            to bench_rough, they are Google Benchmark's.
+#     gcode  writing and reading programs, and their sizes with and without arcs. OPTIONs
+#            go to bench_gcode, they are Google Benchmark's.
 #     verify the verification of an hour of finishing. OPTIONs are Google Benchmark's.
 #   Without a word all are run, and take no OPTIONs.
 set -euo pipefail
@@ -17,9 +18,9 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 which=${1-all}
 case $which in
-  drop | rough | verify) shift ;;
+  drop | rough | gcode | verify) shift ;;
   all) ;;
-  *) sed -n 's/^# \{0,1\}//; 5,14p' "$0" >&2; exit 1 ;;
+  *) sed -n 's/^# \{0,1\}//; 5,17p' "$0" >&2; exit 1 ;;
 esac
 
 scripts/dependencies.sh build bench
@@ -47,7 +48,33 @@ if [ "$which" = rough ] || [ "$which" = all ]; then
     build/release/compare_roughing.json --page BENCHMARK.md
 fi
 
+if [ "$which" = gcode ] || [ "$which" = all ]; then
+  cmake --build --preset release --target bench_gcode pointmill pointmill_samples
+  build/release/bin/bench_gcode --benchmark_repetitions=3 \
+    --benchmark_out=build/release/bench_gcode.json --benchmark_out_format=json "$@"
+  jobs=build/release/gcode_jobs
+  rm -rf "$jobs"
+  mkdir -p "$jobs"
+  build/release/bin/pointmill_samples --freeform 300000 "$jobs/freeform.pcd"
+  cp data/dome.pcd "$jobs/dome.pcd"
+  cp data/sample_scan.pcd "$jobs/sample.pcd"
+  mill() { # PART POST [OPTION]
+    mkdir -p "$jobs/$1"
+    build/release/bin/pointmill mill "$jobs/$1.pcd" -q --post "$2" -o "$jobs/$1/$2${3-}" ${3-}
+  }
+  for part in sample dome freeform; do
+    mill $part linuxcnc
+    mill $part linuxcnc --no-arcs
+  done
+  for post in fanuc grbl haas heidenhain heidenhain-iso mach siemens; do
+    mill dome $post
+  done
+  scripts/gcode_report.py build/release/bench_gcode.json "$jobs" --page BENCHMARK.md
+fi
+
 if [ "$which" = verify ] || [ "$which" = all ]; then
   cmake --build --preset release --target bench_verify
-  build/release/bin/bench_verify --benchmark_repetitions=3 "$@"
+  build/release/bin/bench_verify --benchmark_repetitions=3 \
+    --benchmark_out=build/release/bench_verify.json --benchmark_out_format=json "$@"
+  scripts/verify_report.py build/release/bench_verify.json --page BENCHMARK.md
 fi

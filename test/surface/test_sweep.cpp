@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the PointMill authors
+#include <pointmill/common/maximum.h>
 #include <pointmill/surface/sweep.h>
 
 #include <brute_force.h>
@@ -8,6 +9,7 @@
 #include <random>
 
 using Eigen::Vector3d;
+using pointmill::maximumOf;
 using pointmill::Tool;
 
 namespace {
@@ -52,6 +54,52 @@ TEST(Sweep, HeightAgreesWithManySmallSteps)
       EXPECT_LE(fast, slow + 1e-9) << tool.describe() << " " << i;
       EXPECT_NEAR(fast, slow, 0.03) << tool.describe() << " " << i;
     }
+}
+
+TEST(Sweep, ASlantedMoveIsLowestWhereASearchAlongItSays)
+{
+  // Short and long, gentle and steep, up and down: the lowest place may be either end
+  // of what passes over, or between them on the tip, the rounding, the cone or the
+  // shoulder.
+  const Tool tools[] = {Tool::bull(1, 6, 1),
+                        Tool::bull(2, 6, 2.9),
+                        Tool::ball(3, 6),
+                        Tool::flat(4, 6),
+                        Tool::taperBall(5, 1, 5, 6),
+                        Tool::taperBall(6, 2, 30, 8)};
+  std::mt19937 random(9);
+  std::uniform_real_distribution<double> u(-1, 1);
+  int inside = 0, at_end = 0;
+  for (const auto& tool : tools) {
+    const auto cutter = tool.profile();
+    const double r = tool.radius();
+    for (int i = 0; i < 2000; ++i) {
+      const double length = i % 2 ? 0.1 : 8.0, turn = 3 * u(random);
+      const double slope = std::pow(10, 2 * u(random)) * (i % 3 ? 1 : -1);
+      const Vector3d a(u(random), u(random), u(random));
+      const Vector3d along(std::cos(turn), std::sin(turn), slope);
+      const Vector3d b = a + length * along;
+      const Eigen::Vector2d p(r * u(random), r * u(random));
+      const double middle = (p - a.head<2>()).dot(along.head<2>());
+      const double off2 = (p - a.head<2>()).squaredNorm() - middle * middle;
+      const double half = std::sqrt(std::max(0.0, r * r - off2));
+      const double first = std::max(0.0, middle - half),
+                   last = std::min(length, middle + half);
+      if (half < 1e-3 || last - first < 1e-3)
+        continue;
+      const auto heightAt = [&](double s) {
+        const double d2 = std::max(0.0, off2 + (s - middle) * (s - middle));
+        return a.z() + s * slope + cutter.height(std::min(r, std::sqrt(d2)));
+      };
+      const double lowest =
+          -maximumOf(first, last, [&](double s) { return -heightAt(s); });
+      EXPECT_NEAR(pointmill::sweptHeight(tool, a, b, p.x(), p.y()), lowest, 1e-9)
+          << tool.describe() << " " << i;
+      ++(lowest < std::min(heightAt(first), heightAt(last)) - 1e-9 ? inside : at_end);
+    }
+  }
+  EXPECT_GT(inside, 1000);
+  EXPECT_GT(at_end, 1000);
 }
 
 TEST(Sweep, PenetrationAgreesWithManySmallSteps)

@@ -36,19 +36,36 @@ double rootOf(double lo, double hi, double tolerance, F&& f)
 
 /// ahead() where the place is passed by a rounding of radius `round` whose centre runs
 /// at radius `centre` round the axis and which reaches out to `last`.
-double
-aheadOnRounding(double centre, double round, double last, double off, double fall)
+double aheadOnRounding(double centre,
+                       double round,
+                       double last,
+                       double off,
+                       double fall,
+                       double lo,
+                       double hi)
 {
   if (round <= 0) { // an edge
     const double edge = std::max(centre, off);
-    return std::sqrt(edge * edge - off * off);
+    return std::clamp(std::sqrt(edge * edge - off * off), lo, hi);
   }
-  if (centre <= 0) // a ball: the tilted great circle along the track
-    return fall *
-           std::sqrt(std::max(0.0, round * round - off * off) / (1 + fall * fall));
+  if (centre <= 0) { // a ball: the tilted great circle along the track
+    const double on = std::max(0.0, round * round - off * off);
+    return std::clamp(fall * std::sqrt(on / (1 + fall * fall)), lo, hi);
+  }
   // A torus has no closed form. At the angle w of its rounding, sin w = s, the sum is
-  // stationary where tan(w) ahead / r = fall; with t = tan(w / 2) all is rational.
-  const auto halfTangent = [&](double r) {
+  // stationary where tan(w) ahead / r = fall. Short moves mostly rise or fall all
+  // along.
+  const auto rise = [&](double a) {
+    const double r = std::sqrt(off * off + a * a), u = std::max(0.0, r - centre);
+    return u * a - fall * r * std::sqrt(std::max(0.0, round * round - u * u));
+  };
+  if (rise(hi) <= 0)
+    return hi;
+  if (rise(lo) >= 0)
+    return lo;
+  // With t = tan(w / 2) all is rational.
+  const auto halfTangent = [&](double a) {
+    const double r = std::clamp(std::sqrt(off * off + a * a), centre, last);
     const double s = std::min(1.0, (r - centre) / round);
     return s / (1 + std::sqrt(1 - s * s));
   };
@@ -56,14 +73,14 @@ aheadOnRounding(double centre, double round, double last, double off, double fal
   const auto aheadAt = [&](double r) {
     return std::sqrt(std::max(0.0, r * r - off * off));
   };
-  const double t = rootOf(halfTangent(std::max(centre, off)),
-                          halfTangent(last),
+  const double t = rootOf(halfTangent(std::max(0.0, lo)),
+                          halfTangent(hi),
                           1e-9 * (centre + round) * std::min(1.0, fall),
                           [&](double x) {
                             const double r = radiusAt(x);
                             return 2 * x * aheadAt(r) - fall * (1 - x * x) * r;
                           });
-  return aheadAt(radiusAt(t));
+  return std::clamp(aheadAt(radiusAt(t)), lo, hi);
 }
 
 } // namespace
@@ -104,7 +121,7 @@ double CutterProfile::depth(double r, double z) const
   return std::min(corner_ - core, radius_ - r);
 }
 
-double CutterProfile::ahead(double off, double fall) const
+double CutterProfile::ahead(double off, double fall, double lo, double hi) const
 {
   if (sin_ > 0) {
     // The cone climbs by cos / sin per mm of r, and r by ahead / r per mm of track.
@@ -112,11 +129,12 @@ double CutterProfile::ahead(double off, double fall) const
     const double r = share < 1 ? off / std::sqrt(1 - share * share)
                                : std::numeric_limits<double>::infinity();
     if (r > cone_last_)
-      return aheadOnRounding(radius_ - shoulder_, shoulder_, radius_, off, fall);
+      return aheadOnRounding(
+          radius_ - shoulder_, shoulder_, radius_, off, fall, lo, hi);
     if (r >= cone_first_)
-      return share * r;
+      return std::clamp(share * r, lo, hi);
   }
-  return aheadOnRounding(flat_, corner_, cone_first_, off, fall);
+  return aheadOnRounding(flat_, corner_, cone_first_, off, fall, lo, hi);
 }
 
 } // namespace pointmill

@@ -37,13 +37,13 @@ double sweptHeight(const CutterProfile& cutter,
                last = std::min(1.0, middle + half);
   if (first > last)
     return kInfinity;
-  double lowest = middle; // where the whole line, not only the move, is lowest
+  double t = std::clamp(middle, first, last); // of a level move
   if (dz != 0) {
-    const double length = std::sqrt(len2);
-    const double ahead = cutter.ahead(std::sqrt(off2), std::abs(dz) / length) / length;
-    lowest += dz < 0 ? ahead : -ahead;
+    const double length = std::sqrt(len2), way = dz < 0 ? length : -length;
+    const auto [lo, hi] = std::minmax({(first - middle) * way, (last - middle) * way});
+    t = middle + cutter.ahead(std::sqrt(off2), std::abs(dz) / length, lo, hi) / way;
+    t = std::clamp(t, first, last);
   }
-  const double t = std::clamp(lowest, first, last); // the height is convex along it
   const double d2 = off2 + (t - middle) * (t - middle) * len2;
   return a.z() + t * dz + cutter.height(std::sqrt(std::min(d2, radius2)));
 }

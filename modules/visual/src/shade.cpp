@@ -26,11 +26,21 @@ public:
     up_ = camera.toView(Eigen::Vector3d::UnitZ());
     // Rays of the kSuper x kSuper pixels that are averaged fill the circle evenly.
     constexpr int cells = Frame::kSuper * Frame::kSuper;
+    const auto scale = static_cast<float>(camera.scale);
+    const auto reach = static_cast<float>(light.reach);
     for (int i = 0; i < cells; ++i)
       for (int k = 0; k < kRays; ++k) {
         const double angle = 2 * M_PI * (k + static_cast<double>(i) / cells) / kRays;
-        rays_[i][k] = {static_cast<float>(std::cos(angle)),
-                       static_cast<float>(std::sin(angle))};
+        const auto cosine = static_cast<float>(std::cos(angle));
+        const auto sine = static_cast<float>(std::sin(angle));
+        for (int s = 1; s <= kSteps; ++s) {
+          const float away =
+              reach * scale * static_cast<float>(s * s) / (kSteps * kSteps);
+          const int dx = static_cast<int>(std::lround(cosine * away));
+          const int dy = static_cast<int>(std::lround(sine * away));
+          rays_[i][k][s - 1] = {
+              dx, dy, static_cast<float>(dx) / scale, static_cast<float>(-dy) / scale};
+        }
       }
   }
 
@@ -71,6 +81,12 @@ public:
   }
 
 private:
+  /// Where a ray looks, from its pixel.
+  struct Look {
+    int dx, dy; ///< px
+    float x, y; ///< in view axes [mm]
+  };
+
   static Rgb finish(const Rgb& base, float lit, float shine, float open, float edge)
   {
     // Shadows turn cool rather than black.
@@ -96,30 +112,27 @@ private:
   float openness(int x, int y, const Eigen::Vector3f& n) const
   {
     const float d = frame_.depth[frame_.index(x, y)];
-    const auto scale = static_cast<float>(camera_.scale);
     const auto reach = static_cast<float>(light_.reach);
     const int cell = y % Frame::kSuper * Frame::kSuper + x % Frame::kSuper;
     float hidden = 0;
     for (const auto& ray : rays_[cell]) {
       float horizon = 0;
-      for (int s = 1; s <= kSteps; ++s) {
-        const float away =
-            reach * scale * static_cast<float>(s * s) / (kSteps * kSteps);
-        const int sx = x + static_cast<int>(std::lround(ray.x() * away));
-        const int sy = y + static_cast<int>(std::lround(ray.y() * away));
+      for (const Look& look : ray) {
+        const int sx = x + look.dx, sy = y + look.dy;
         if (sx < 0 || sy < 0 || sx >= frame_.width || sy >= frame_.height)
           continue;
         const float other = frame_.depth[frame_.index(sx, sy)];
         if (other == Frame::kNothing)
           continue;
-        const Eigen::Vector3f to(static_cast<float>(sx - x) / scale,
-                                 static_cast<float>(y - sy) / scale,
-                                 other - d);
+        const Eigen::Vector3f to(look.x, look.y, other - d);
+        const float rise = to.dot(n);
+        if (rise <= 0) // below the horizon
+          continue;
         const float length = to.norm();
         if (length < 1e-6f || length > 2 * reach)
           continue;
         const float fade = 1 - 0.5f * length / reach;
-        horizon = std::max(horizon, (to.dot(n) / length - 0.12f) * fade);
+        horizon = std::max(horizon, (rise / length - 0.12f) * fade);
       }
       hidden += horizon;
     }
@@ -145,7 +158,8 @@ private:
   const Camera& camera_;
   const Light& light_;
   Eigen::Vector3f key_, fill_, half_, up_;
-  std::array<std::array<Eigen::Vector2f, kRays>, Frame::kSuper * Frame::kSuper> rays_;
+  using Ray = std::array<Look, kSteps>;
+  std::array<std::array<Ray, kRays>, Frame::kSuper * Frame::kSuper> rays_;
 };
 
 } // namespace

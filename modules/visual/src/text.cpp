@@ -17,6 +17,9 @@
 #include <vtkUnicodeString.h>
 #endif
 
+#include <algorithm>
+#include <vector>
+
 namespace pointmill::visual {
 
 namespace {
@@ -55,19 +58,33 @@ std::string printable(std::string text)
   return text;
 }
 
-bool render(const std::string& text, const TextStyle& style, vtkImageData* image)
+bool isBlank(const std::string& text)
 {
-  if (text.find_first_not_of(' ') == std::string::npos)
-    return false;
+  return text.find_first_not_of(' ') == std::string::npos;
+}
+
+vtkFreeTypeTools* freeType()
+{
+  vtkFreeTypeTools* tools = vtkFreeTypeTools::GetInstance();
+  tools->ScaleToPowerTwoOff();
+  return tools;
+}
+
+vtkNew<vtkTextProperty> propertyOf(const TextStyle& style)
+{
   vtkNew<vtkTextProperty> property;
   property->SetFontFamilyToArial(); // built into VTK: no font has to be installed
   property->SetFontSize(style.size);
   property->SetBold(style.bold);
   property->SetColor(1.0, 1.0, 1.0);
-  vtkFreeTypeTools* tools = vtkFreeTypeTools::GetInstance();
-  tools->ScaleToPowerTwoOff();
+  return property;
+}
+
+bool render(const std::string& text, const TextStyle& style, vtkImageData* image)
+{
   int used[2] = {0, 0};
-  return tools->RenderString(property, toVtk(text), kDpi, image, used) &&
+  return !isBlank(text) &&
+         freeType()->RenderString(propertyOf(style), toVtk(text), kDpi, image, used) &&
          image->GetNumberOfScalarComponents() == 4;
 }
 
@@ -75,8 +92,12 @@ bool render(const std::string& text, const TextStyle& style, vtkImageData* image
 
 int textWidth(const std::string& text, const TextStyle& style)
 {
-  vtkNew<vtkImageData> image;
-  return render(printable(text), style, image) ? image->GetDimensions()[0] : 0;
+  const std::string line = printable(text);
+  int box[4]; // of the image that render() makes
+  if (isBlank(line) ||
+      !freeType()->GetBoundingBox(propertyOf(style), toVtk(line), kDpi, box))
+    return 0;
+  return box[1] - box[0] + 1;
 }
 
 int drawText(Canvas& canvas,
@@ -107,18 +128,19 @@ int drawText(Canvas& canvas,
 
 std::string fitText(const std::string& text, int width, const TextStyle& style)
 {
-  std::string line = printable(text);
+  const std::string line = printable(text);
   if (textWidth(line, style) <= width)
     return line;
-  while (!line.empty()) {
-    // Whole characters, not bytes of UTF-8.
-    while (line.size() > 1 && (static_cast<unsigned char>(line.back()) & 0xC0) == 0x80)
-      line.pop_back();
-    line.pop_back();
-    if (textWidth(line + "...", style) <= width)
-      return line + "...";
-  }
-  return line;
+  std::vector<std::size_t> ends; // between whole characters, not bytes of UTF-8
+  for (std::size_t i = 0; i < line.size(); ++i)
+    if ((static_cast<unsigned char>(line[i]) & 0xC0) != 0x80)
+      ends.push_back(i);
+  const auto shortened = [&](std::size_t end) { return line.substr(0, end) + "..."; };
+  const auto wide =
+      std::partition_point(ends.begin(), ends.end(), [&](std::size_t end) {
+        return textWidth(shortened(end), style) <= width;
+      });
+  return wide == ends.begin() ? "" : shortened(wide[-1]);
 }
 
 } // namespace pointmill::visual

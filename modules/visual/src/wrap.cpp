@@ -2,6 +2,7 @@
 // Copyright (c) 2026, the PointMill authors
 #include "wrap.h"
 
+#include <iterator>
 #include <sstream>
 
 namespace pointmill::visual {
@@ -9,20 +10,26 @@ namespace pointmill::visual {
 std::vector<std::string>
 wrapText(const std::string& text, int width, std::size_t most, const TextStyle& style)
 {
+  std::istringstream stream(text);
+  const std::vector<std::string> words{std::istream_iterator<std::string>(stream), {}};
   std::vector<std::string> lines;
-  std::istringstream words(text);
-  std::string line, word;
-  while (words >> word) {
-    const std::string longer = line.empty() ? word : line + " " + word;
-    if (line.empty() || lines.size() + 1 == most || textWidth(longer, style) <= width)
-      line = longer;
-    else {
-      lines.push_back(fitText(line, width, style));
-      line = word;
+  const auto join = [&](std::size_t first, std::size_t last) {
+    std::string line = words[first];
+    for (std::size_t i = first + 1; i < last; ++i)
+      line += " " + words[i];
+    return line;
+  };
+  for (std::size_t first = 0, last; first < words.size(); first = last) {
+    last = words.size();
+    if (lines.size() + 1 != most) {
+      std::size_t wide = last + 1; // ends of lines: `last` fits, or is one word
+      for (last = first + 1; wide - last > 1;) {
+        const std::size_t middle = (last + wide) / 2;
+        (textWidth(join(first, middle), style) <= width ? last : wide) = middle;
+      }
     }
+    lines.push_back(fitText(join(first, last), width, style));
   }
-  if (!line.empty())
-    lines.push_back(fitText(line, width, style));
   return lines;
 }
 

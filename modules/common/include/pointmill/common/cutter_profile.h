@@ -59,11 +59,14 @@ public:
   /// its distance to the surface; negative outside.
   double depth(double r, double z) const;
 
-  /// @brief The value a >= 0 that makes `height(sqrt(off^2 + a^2)) - fall * a` least:
-  /// how far ahead [mm] of a place at @p off beside the track the axis stands when the
-  /// cutter, on a move that sinks by @p fall per mm, is lowest over that place.
-  /// @param off in 0 .. radius [mm]; @param fall >= 0
-  double ahead(double off, double fall) const;
+  /// @brief The value a in [@p lo, @p hi] that makes `height(sqrt(off^2 + a^2)) - fall
+  /// * a` least: how far ahead [mm] of a place at @p off beside the track the axis
+  /// stands when the cutter, on a move that sinks by @p fall per mm, is lowest over
+  /// that place.
+  /// @param off in 0 .. radius [mm]; @param fall > 0
+  /// @param lo,hi where the axis may stand, the cutter over the place [mm]; negative
+  /// where it has passed it
+  double ahead(double off, double fall, double lo, double hi) const;
 
 private:
   /// The other leg of a right triangle.
