@@ -37,7 +37,17 @@ CLI::App* declareCheck(CLI::App& app, CheckCommand& command)
       ->required();
   check->add_option("--post", command.post, "control it is written for: " + postHelp())
       ->type_name("POST")
-      ->default_str("the job's");
+      ->default_str("told by its text, else the job's");
+  check
+      ->add_option_function<std::string>(
+          "--corners",
+          [&command](const std::string& by) {
+            command.corners_by_control = by == "control";
+          },
+          "control: let it round corners as it is set, which nothing here can check")
+      ->type_name("tolerance|control")
+      ->check(CLI::IsMember({"tolerance", "control"}))
+      ->default_str("tolerance");
   check
       ->add_option("--tool",
                    command.mounted,
@@ -62,10 +72,20 @@ CLI::App* declareCheck(CLI::App& app, CheckCommand& command)
 int runCheck(const CheckCommand& command)
 {
   Criteria criteria = Criteria::read(command.directory);
+  criteria.corners_by_control |= command.corners_by_control;
+  auto files = openPrograms(command.programs);
   if (!command.post.empty())
     criteria.form = readPost(command.post).form;
-  const Judgement judgement =
-      judge(openPrograms(command.programs), criteria, command.mounted);
+  else
+    criteria.form = formOf(files.front(), criteria.form);
+  Judgement judgement;
+  try {
+    judgement = judge(std::move(files), criteria, command.mounted);
+  }
+  catch (const DataError& e) {
+    std::cout << "error unreadable: " << e.what() << "\nrefused\n";
+    return 3;
+  }
   const Verification& v = judgement.verification;
   if (!command.picture.empty())
     writeFindings(command.picture,

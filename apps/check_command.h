@@ -12,6 +12,7 @@ struct CheckCommand {
   std::vector<std::string> programs; ///< in the order of machining
   std::string directory, post, picture, deviation, milled;
   int mounted = 0;
+  bool corners_by_control = false;
   bool quiet = false;
 };
 

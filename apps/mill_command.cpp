@@ -187,9 +187,10 @@ int runMill(MillCommand& command)
   catch (const VerificationError& e) {
     job.writeRefusal(command.directory);
     throw VerificationError(
-        std::string(e.what()) + "; " +
+        std::string(e.what()) + "\n" +
         (std::filesystem::path(command.directory) / "refused.png").string() +
-        " shows it");
+        " shows it" +
+        (job.earlierProgram() ? "; the program of an earlier job was renamed" : ""));
   }
   job.write(command.directory);
   if (shown)

@@ -111,8 +111,9 @@ TEST(GCodeReader, WhatIsUnknownStaysUnknown)
                       "X5 Y5\n"
                       "T2 M6\n"
                       "G0 X1 Y1\n"
-                      "G53 X0 Z-5\n");
-  ASSERT_EQ(p.moves.size(), 7u);
+                      "G53 X0 Z-5\n"
+                      "G53 Z-50\n");
+  ASSERT_EQ(p.moves.size(), 8u);
   EXPECT_TRUE(p.moves[0].from.array().isNaN().all());
   EXPECT_TRUE(std::isnan(p.moves[0].to.x()));
   EXPECT_EQ(p.moves[0].to.z(), 20);
@@ -127,7 +128,9 @@ TEST(GCodeReader, WhatIsUnknownStaysUnknown)
   // Another tool at a height of the part frame: its tip may be anywhere.
   EXPECT_TRUE(std::isnan(p.moves[5].to.z()));
   EXPECT_TRUE(std::isnan(p.moves[6].to.x()));
-  EXPECT_TRUE(std::isnan(p.moves[6].to.z()));
+  // Homed machines back off from their top by a little; far below it is anywhere.
+  EXPECT_EQ(p.moves[6].to.z(), std::numeric_limits<double>::infinity());
+  EXPECT_EQ(p.moves[7].to.z(), -std::numeric_limits<double>::infinity());
   EXPECT_EQ(p.moves[6].to.y(), 1);
 }
 
@@ -339,9 +342,9 @@ TEST(GCodeReader, ReferencePoints)
             "(? ? inf), (1 2 inf), (1 2 5), (1 2 9), (1 2 inf), (1 2 5)");
   EXPECT_EQ(way(read("G21 G90\nG0 X1 Y2 Z5\nG91 G28 X3 Y0\nG90 G0 X1 Y2\nG28\n")),
             "(1 2 5), (4 2 5), (? ? 5), (1 2 5), (? ? inf)");
-  // Of a second reference point no axis is known.
+  // A second reference point may be anywhere, and low.
   EXPECT_EQ(way(read("G21 G90\nG0 X1 Y2 Z5\nG30 P2 Z8\n")),
-            "(1 2 5), (1 2 8), (1 2 ?)");
+            "(1 2 5), (1 2 8), (1 2 -inf)");
   EXPECT_EQ(refusal("G21 G91\nG28 Z1"),
             "line 2, column 5: G91: Z from an unknown position");
   EXPECT_REFUSED("G1 G28 Z0", "line 3, column 4: G28 beside G1");

@@ -30,7 +30,7 @@ TEST(MillJob, ARefusedProgramIsNotWritten)
   EXPECT_TRUE(folder.names().empty());
 }
 
-TEST(MillJob, ARefusedProgramLeavesAnEarlierOneAlone)
+TEST(MillJob, ARefusedProgramLeavesNoEarlierOneInItsPlace)
 {
   const TempDir folder;
   fs::create_directory(folder / "nc");
@@ -38,15 +38,18 @@ TEST(MillJob, ARefusedProgramLeavesAnEarlierOneAlone)
   MillJob job(tooMuchLeft());
   try {
     job.plan(data("dome.pcd"));
-    job.write((folder / "nc").string());
     FAIL() << "not refused";
   }
   catch (const VerificationError& e) {
     const std::string why = e.what();
     EXPECT_NE(why.find("half of the points keep"), std::string::npos) << why;
-    EXPECT_EQ(why.find('\n'), std::string::npos) << why;
   }
+  EXPECT_THROW(job.write((folder / "nc").string()), VerificationError);
   EXPECT_EQ(contents(folder / "nc/program.ngc"), "(earlier)");
+  job.writeRefusal((folder / "nc").string());
+  EXPECT_TRUE(job.earlierProgram());
+  EXPECT_FALSE(fs::exists(folder / "nc/program.ngc"));
+  EXPECT_EQ(contents(folder / "nc/program.ngc.earlier"), "(earlier)");
 }
 
 TEST(MillJob, WithoutAPlanNothingIsWritten)

@@ -227,6 +227,35 @@ TEST(BodiesAtPoints, ARapidThatBendsMeetsPointsBesideItsLine)
   EXPECT_NEAR(findings.list()[0].worst, 1, 1e-6);
 }
 
+TEST_F(Checks, WithoutTheToolsLengthZMeansNothingInRapidsNeither)
+{
+  // The spindle's nose goes to 5, and the tool into the part.
+  EXPECT_EQ(codes(verifier.verify(rows(-2).end("G0 Z10.\nG49\nG0 Z5.\nM2\n"))),
+            "length_offset ");
+  // Without H other controls take the length of the tool before.
+  EXPECT_EQ(codes(verifier.verify(rows(-2).end("G0 Z10.\nG43\nG0 Z15.\nM2\n"))),
+            "length_offset ");
+  EXPECT_EQ(codes(verifier.verify(rows(-2).end("G0 Z10.\nG49\nG53 G0 Z0.\nM2\n"))), "");
+}
+
+TEST_F(Checks, AMachineHeightFarBelowTheTopMayBeInThePart)
+{
+  EXPECT_EQ(codes(verifier.verify(rows(-2).end("G0 Z10.\nG53 G0 Z-150.\nM2\n"))),
+            "unknown_position unsafe_end ");
+  EXPECT_EQ(codes(verifier.verify(rows(-2).end("G0 Z10.\nG30\nM2\n"))),
+            "unknown_position unsafe_end ");
+  EXPECT_EQ(codes(verifier.verify(rows(-2).end("G0 Z10.\nG53 G0 Z-5.\nM2\n"))), "");
+}
+
+TEST_F(Checks, WhatAWholeProgramWouldNotLeaveIsAWarning)
+{
+  verifier.setResidualLimit(1);
+  const auto whole = verifier.verify(rows(-2).end());
+  verifier.setExpectedResidual(whole.residual.p90);
+  EXPECT_EQ(codes(verifier.verify(rows(-2).end())), "");
+  EXPECT_EQ(codes(verifier.verify(rows(-1.9).end())), "leaves_more ");
+}
+
 TEST_F(Checks, AProgramEndsAndChangesToolsHighUp)
 {
   const auto end = verifier.verify(rows(-2).end("G0 Z-1.\nM2\n"));
@@ -303,7 +332,9 @@ TEST_F(Checks, FeedsAndSpeedsThatMakeNoSense)
   EXPECT_EQ(with(600, 0), "spindle ");
   EXPECT_EQ(with(600, 1e6), "spindle ");
   EXPECT_EQ(with(15240, 8000), "chip_load "); // as if inches were millimetres
-  EXPECT_EQ(with(600, 8), "chip_load ");
+  EXPECT_EQ(with(600, 400), "chip_load ");
+  EXPECT_EQ(with(600, 8), "feed "); // 37 mm a tooth breaks the tool
+  EXPECT_EQ(with(0.5, 8000), "feed ");
   Program changed = good;
   changed.moves[changed.moves.size() / 2].spindle = 7000;
   const auto result = verifier.verify(changed);

@@ -133,10 +133,12 @@ TEST_F(Findings, AProgramWithoutFeedMovesCutsNothing)
 {
   Text text;
   text.over(5, 5).over(20, 10);
-  EXPECT_EQ(codes(verifier.verify(text.end())), "empty ");
+  EXPECT_EQ(codes(verifier.verify(text.end())), "residual empty ");
   Program nothing;
   nothing.ended = true;
-  EXPECT_EQ(codes(verifier.verify(nothing)), "empty ");
+  const auto result = verifier.verify(nothing);
+  EXPECT_EQ(codes(result), "residual empty ");
+  EXPECT_EQ(result.untouchedShare(), 1);
 }
 
 TEST_F(Findings, AProgramThatLeavesTooMuchIsOne)

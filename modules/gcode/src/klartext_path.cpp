@@ -182,9 +182,9 @@ void KlartextForm::moveInMachine(const Word& word, const Path& path)
     if (axis.incremental)
       refuse({line_.line(), axis.column}, "incremental machine coordinates");
   const auto& z = path.axes[2];
-  const bool top = path.machine_frame == 91 && z.value == 0.0;
+  const bool top = path.machine_frame == 91 && std::abs(z.value) <= near_top;
   machine_.toMachinePlace(
-      path.axes[0].column, path.axes[1].column, z.column, top ? unbounded : unknown);
+      path.axes[0].column, path.axes[1].column, z.column, top ? unbounded : -unbounded);
 }
 
 /// The pole: two axes, or where the tool is.

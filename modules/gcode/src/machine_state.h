@@ -19,7 +19,9 @@ constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 /// @brief The height of the top of the machine, in every frame; also a blending without
 /// bound.
 constexpr double unbounded = std::numeric_limits<double>::infinity();
-constexpr double inch = 25.4; // mm
+/// Machine heights so near to 0 are its top: homed machines back off by a little.
+constexpr double near_top = 10.0; // mm
+constexpr double inch = 25.4;     // mm
 
 /// @brief The machine that a program runs on: where its tool is, what is switched on,
 /// and what becomes of the program's moves. It knows no words; the forms of programs

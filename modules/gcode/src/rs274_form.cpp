@@ -33,14 +33,17 @@ void Rs274Form::setLength()
 {
   if (!code(Length))
     return;
-  if (is(Length, 430) && block().open('H')) {
+  const bool stated = is(Length, 430) && block().open('H');
+  if (stated) {
     const int h = whole('H', 0, 999999);
     if (machine_.toolKnown() && h != machine_.tool())
       fail('H',
            "H" + std::to_string(h) + " is not the length of tool " +
                std::to_string(machine_.tool()));
   }
-  machine_.setLength(is(Length, 430));
+  // Without H LinuxCNC takes the tool's own length, Fanuc and Haas that of the tool
+  // before.
+  machine_.setLength(stated);
 }
 
 void Rs274Form::setOffset()
@@ -161,7 +164,7 @@ void Rs274Form::returnHome(bool first_point, int column)
   if (!stays)
     machine_.rapid(between);
   machine_.toMachinePlace(
-      x || all, y || all, z || all, first_point ? unbounded : unknown);
+      x || all, y || all, z || all, first_point ? unbounded : -unbounded);
 }
 
 void Rs274Form::shiftFrame(int column)

@@ -4,6 +4,12 @@
 
 namespace pointmill::gcode {
 
+namespace {
+
+constexpr int kCuttingEdge = 1; // the tool's first, the only one that is known
+
+} // namespace
+
 /// G4 F: seconds, G4 S: turns of the spindle.
 void SiemensForm::dwell()
 {
@@ -27,7 +33,7 @@ void SiemensForm::setTool()
     return;
   if (next_tool_ < 0)
     fail(code(ToolChange)->column, "M6 without a T word");
-  machine_.changeTool(next_tool_, offset_number_ > 0);
+  machine_.changeTool(next_tool_, offset_number_ == kCuttingEdge);
 }
 
 /// D n puts the length of a tool's cutting edge n in force. Beside a move of the
@@ -41,7 +47,7 @@ void SiemensForm::setLength()
 void SiemensForm::applyOffsetNumber()
 {
   offset_number_ = whole('D', 0, 12);
-  machine_.setLength(offset_number_ > 0);
+  machine_.setLength(offset_number_ == kCuttingEdge);
 }
 
 void SiemensForm::setPath()

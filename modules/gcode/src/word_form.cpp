@@ -307,12 +307,12 @@ Eigen::Vector3d WordForm::target(bool zero_stays) const
 void WordForm::moveInMachine(double height_of_zero)
 {
   const bool x = block_.open('X'), y = block_.open('Y'), z = block_.open('Z');
-  double height = unknown;
+  double height = -unbounded;
   if (x)
     length('X');
   if (y)
     length('Y');
-  if (z && length('Z') == 0.0)
+  if (z && std::abs(length('Z')) <= near_top)
     height = height_of_zero;
   machine_.toMachinePlace(x, y, z, height);
 }

@@ -44,6 +44,20 @@ std::vector<ProgramStream> openPrograms(const std::vector<std::string>& paths)
   return files;
 }
 
+ProgramForm formOf(const ProgramStream& file, ProgramForm otherwise)
+{
+  std::string head(4096, ' ');
+  file.text->read(head.data(), static_cast<std::streamsize>(head.size()));
+  head.resize(static_cast<std::size_t>(file.text->gcount()));
+  file.text->clear();
+  file.text->seekg(0);
+  const ProgramForm form = formOf(head);
+  // Plain words may be Grbl's or Siemens' as well.
+  const bool plain =
+      otherwise == ProgramForm::Grbl || otherwise == ProgramForm::Siemens;
+  return form == ProgramForm::Rs274 && plain ? otherwise : form;
+}
+
 Judgement judge(std::vector<ProgramStream> files, const Criteria& criteria, int mounted)
 {
   GCodeReader reader;

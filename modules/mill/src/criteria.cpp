@@ -98,6 +98,7 @@ Verification Criteria::judge(const Program& program) const
   // What the control may add by blending corners cannot be seen in the text.
   verifier.setTolerance(gougeLimit());
   verifier.setResidualLimit(residual_limit);
+  verifier.setExpectedResidual(left_p90);
   verifier.setCellSize(cell);
   verifier.setFloor(floor);
   verifier.setProtected(bridges);
@@ -126,6 +127,7 @@ Json json::of(const Criteria& criteria)
                {"corners_by_control", criteria.corners_by_control},
                {"noise_allowance_mm", criteria.noise_allowance},
                {"residual_limit_mm", criteria.residual_limit},
+               {"left_p90_mm", number(criteria.left_p90)},
                {"floor_z", criteria.floor},
                {"cell_mm", criteria.cell},
                {"arc_error_mm", criteria.arc_error},
@@ -156,6 +158,8 @@ Criteria Criteria::read(const std::string& directory)
     criteria.corners_by_control = json.at("corners_by_control");
     criteria.noise_allowance = json.at("noise_allowance_mm");
     criteria.residual_limit = json.at("residual_limit_mm");
+    if (json.at("left_p90_mm").is_number())
+      criteria.left_p90 = json.at("left_p90_mm");
     criteria.floor = json.at("floor_z");
     criteria.cell = json.at("cell_mm");
     criteria.arc_error = json.at("arc_error_mm");

@@ -73,10 +73,10 @@ std::vector<std::string> MillJob::setUp() const
         text, sizeof text, " %s%.3f to %.3f", axis, stock_.min[i], stock_.max[i]);
     return std::string(text);
   };
-  char text[80];
+  char text[100];
   std::snprintf(text,
                 sizeof text,
-                "lowest tip Z%.3f, stock bottom Z%.3f, clearance plane Z%.3f",
+                "lowest tip Z%.3f mm, stock bottom Z%.3f mm, clearance plane Z%.3f mm",
                 floor_,
                 stock_.min.z(),
                 clearancePlane());
@@ -183,15 +183,23 @@ void MillJob::verify()
   for (const auto& p : programs_)
     files.push_back({p.name, std::make_unique<std::istringstream>(p.text)});
   judgement_ = judge(std::move(files), criteria_);
+  criteria_.left_p90 = verification().residual.p90;
   takeTimes();
 }
 
 void MillJob::takeTimes()
 {
-  // The writer made a section of each operation.
-  const auto& sections = judgement_.time.sections;
-  for (std::size_t i = 0; i < operations_.size() && i < sections.size(); ++i)
-    operations_[i].figures.minutes = sections[i].total() / 60;
+  // The writer made a section of each operation, or several, where files end in it.
+  const auto& sections = judgement_.program.sections;
+  std::size_t i = 0;
+  for (auto& o : operations_) {
+    o.figures.minutes = 0;
+    const auto isPart = [&](const ProgramSection& s) {
+      return s.name == o.operation.name && s.tool == o.operation.tool.number;
+    };
+    for (; i < sections.size() && isPart(sections[i]); ++i)
+      o.figures.minutes += judgement_.time.sections[i].total() / 60;
+  }
 }
 
 void MillJob::plan(const std::string& scan)
@@ -238,17 +246,18 @@ void MillJob::plan(const std::string& scan)
   const auto findings = findingLines(verification(), judgement_.program);
   if (!options_.force) // errors come first
     throw VerificationError(
-        "the program fails its verification and was not written: " +
+        "the program fails its verification and was not written:\n  " +
         joined({findings.begin(),
                 findings.begin() + std::count_if(verification().findings.begin(),
                                                  verification().findings.end(),
                                                  [](const Finding& f) {
                                                    return f.severity == Severity::Error;
                                                  })},
-               "; "));
-  // Its head says what is wrong with it, and the lines are counted anew.
+               "\n  "));
+  // Its head says what is wrong with it, but no lines: these are counted anew then.
   std::vector<std::string> remarks{"FORCED: this program fails its verification"};
-  remarks.insert(remarks.end(), findings.begin(), findings.end());
+  for (const auto& f : verification().findings)
+    remarks.push_back(f.code + ": " + f.text);
   timed("write, forced", 0.75, [&] { writeProgram(remarks); });
   timed("verify, forced", 0.75, [&] { verify(); });
   passed_ = true;

@@ -108,8 +108,7 @@ PreviewScene sceneOf(const MillJob& job, const std::string& title)
 }
 
 /// What an earlier job may have left that this one need not have.
-const char* const kMayBeOld[] = {"program.ngc",
-                                 "occupancy_1.png",
+const char* const kMayBeOld[] = {"occupancy_1.png",
                                  "occupancy_2.png",
                                  "occupancy_3.png",
                                  "findings.png",
@@ -119,13 +118,21 @@ const char* const kMayBeOld[] = {"program.ngc",
                                  "refused.png",
                                  "refused.json"};
 
-/// What an earlier job left that must go, its program by its report.
+/// The files of an earlier job's program, by its report.
+std::vector<std::string> programsIn(const fs::path& directory)
+{
+  std::ifstream in(directory / "report.json");
+  auto names = programsOf(in);
+  if (names.empty())
+    names.emplace_back("program.ngc");
+  return names;
+}
+
+/// What an earlier job left that must go.
 std::vector<std::string> leftIn(const fs::path& directory)
 {
-  std::vector<std::string> names(std::begin(kMayBeOld), std::end(kMayBeOld));
-  std::ifstream in(directory / "report.json");
-  for (auto& name : programsOf(in))
-    names.push_back(std::move(name));
+  auto names = programsIn(directory);
+  names.insert(names.end(), std::begin(kMayBeOld), std::end(kMayBeOld));
   return names;
 }
 
@@ -224,6 +231,17 @@ void MillJob::writeRefusal(const std::string& directory)
       (staging.path() / "refused.png").string(), scan_name_, judgement_, criteria_);
   writeFileAtomically((staging.path() / "refused.json").string(),
                       [&](std::ostream& out) { out << reportJson(*this, scan_name_); });
+  earlier_program_ = false;
+  for (const auto& name : programsIn(directory)) {
+    std::error_code failure;
+    const fs::path old = fs::path(directory) / name;
+    if (!fs::exists(old, failure))
+      continue;
+    fs::rename(old, old.string() + ".earlier", failure);
+    if (failure)
+      throw DataError(old.string() + ": cannot be renamed: " + failure.message());
+    earlier_program_ = true;
+  }
   install(staging.path(), directory, {"refused.png", "refused.json"}, {});
 }
 

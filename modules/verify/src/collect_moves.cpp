@@ -14,6 +14,10 @@ constexpr double kAbsurdFeed = 1e5, kAbsurdSpindle = 2.5e5;
 /// A chip thicker than this share of the diameter breaks any cutter: such a feed is a
 /// slip of units.
 constexpr double kAbsurdChip = 0.1;
+/// More than this breaks the tool.
+constexpr double kWrongChip = 0.25;
+/// Slower is no feed [mm/min].
+constexpr double kLeastFeed = 1.0;
 /// More than what rounding takes from a height [mm].
 constexpr double kRounding = 1e-3;
 /// Of a tip at the top of the machine.
@@ -47,6 +51,7 @@ public:
   {
     checkToolChange(m);
     checkTravel(m);
+    checkLength(m);
     const auto found = tools_.find(m.tool);
     const Tool* tool = found == tools_.end() ? nullptr : found->second;
     const bool known = m.from.allFinite() && m.to.allFinite();
@@ -81,6 +86,14 @@ private:
     if (before_ && before_->tool != 0 && before_->to.z() < limits_.safe &&
         (m.tool != before_->tool || std::isnan(m.from.z())))
       find("unsafe_tool_change", limits_.safe - before_->to.z(), *before_);
+  }
+
+  /// In the part frame Z means nothing without the tool's length, in rapids neither.
+  void checkLength(const ProgramMove& m)
+  {
+    if (m.tool != 0 && !m.length_offset && std::isfinite(m.to.z()) &&
+        m.to.z() != m.from.z())
+      find("length_offset", 0, m);
   }
 
   void checkTravel(const ProgramMove& m)
@@ -133,7 +146,7 @@ private:
   void checkFeed(const ProgramMove& m, const Tool& tool)
   {
     const Machine& machine = limits_.machine;
-    if (!(m.feed > 0) || m.feed > kAbsurdFeed)
+    if (!(m.feed >= kLeastFeed) || m.feed > kAbsurdFeed)
       find("feed", m.feed, m);
     else if (machine.max_feed > 0 && m.feed > machine.max_feed + kRounding)
       find("feed_limit", m.feed, m);
@@ -148,7 +161,9 @@ private:
     if (std::max(slow, fast) > kRounding)
       find("spindle_limit", std::max(slow, fast), m);
     const double chip = m.feed / (m.spindle * tool.flutes);
-    if (chip > kAbsurdChip * tool.diameter)
+    if (chip > kWrongChip * tool.diameter)
+      find("feed", m.feed, m);
+    else if (chip > kAbsurdChip * tool.diameter)
       find("chip_load", chip, m);
     if (before_ && !before_->rapid && before_->tool == m.tool &&
         before_->spindle != m.spindle)

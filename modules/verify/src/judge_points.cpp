@@ -143,8 +143,12 @@ void judgePoints(const PointIndex& surface,
   }
   const auto last = std::find_if(
       moves.rbegin(), moves.rend(), [](const SweptMove& m) { return !m.rapid; });
-  if (last == moves.rend())
+  if (last == moves.rend()) {
+    const double all = std::numeric_limits<double>::infinity();
+    result.residual = {all, all, all, all, all};
+    result.untouched_points = surface.size();
     return;
+  }
   const double floor = std::max(surface.min().z(), limits.floor);
   const PerfectPass perfect(surface, *last->tool, floor, threads, keep_out);
   heights.perfect = perfect.heightsOver(surface, kClose);

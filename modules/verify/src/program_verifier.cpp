@@ -63,6 +63,12 @@ Verification ProgramVerifier::verify(const Program& program) const
              findings);
   if (result.residual.p50 > residual_limit_)
     findings.add("residual", result.residual.p50, Eigen::Vector3d::Zero(), 0, 0);
+  if (result.residual.p90 > 2 * expected_residual_ + tolerance_)
+    findings.add("leaves_more",
+                 result.residual.p90 - expected_residual_,
+                 Eigen::Vector3d::Zero(),
+                 0,
+                 0);
   result.findings = findings.list();
   return result;
 }

@@ -19,8 +19,9 @@ namespace pointmill {
 /// Y Z after a tool change, Z after a change of the tool length, an axis at a reference
 /// point or at a position of the machine. After `G53 G0 Z0` or `G28 Z..` Z is
 /// +infinity, "above everything": the top of the machine, wherever that is in the part
-/// frame. A feed move always has finite ends; only rapids, which then set or keep the
-/// undetermined axes, may not.
+/// frame; after a machine height more than 10 mm off 0, or `G30`, -infinity, since it
+/// may be below everything. A feed move always has finite ends; only rapids, which then
+/// set or keep the undetermined axes, may not.
 struct ProgramMove {
   Eigen::Vector3d from, to;
   double feed = 0.0;    ///< mm/min; 0 for a rapid

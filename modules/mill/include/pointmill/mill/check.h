@@ -30,6 +30,9 @@ struct ProgramStream {
 /// @brief Opens files, in the order of machining. @throws DataError
 std::vector<ProgramStream> openPrograms(const std::vector<std::string>& paths);
 
+/// @brief How a file is spelled, where its first lines tell, else @p otherwise.
+ProgramForm formOf(const ProgramStream& file, ProgramForm otherwise);
+
 /// @brief Reads a program of one file or several, as the criteria say it is spelled,
 /// and judges it.
 /// @param mounted tool that is in the spindle at the start; 0: not known

@@ -9,6 +9,7 @@
 #include <pointmill/surface/point_index.h>
 #include <pointmill/verify/program_verifier.h>
 
+#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
@@ -37,6 +38,8 @@ struct Criteria {
   /// Whether the control rounds corners as it likes, and nobody knows how much.
   bool corners_by_control = false;
   double residual_limit = 1e4;
+  /// What the job's own program keeps over a tenth of the points [mm].
+  double left_p90 = std::numeric_limits<double>::infinity();
   double floor = 0.0;
   double cell = 0.25;
   ProgramForm form = ProgramForm::Rs274; ///< how programs for the machine are spelled

@@ -89,9 +89,13 @@ public:
   void write(const std::string& directory);
 
   /// @brief Writes refused.json and refused.png, which show why plan() refused its
-  /// program. An earlier job's files in the directory stay as they are.
+  /// program. The program of an earlier job in the directory is renamed, with
+  /// ".earlier" behind its name, lest it be taken for the one that was refused.
   /// @throws DataError, VerificationError where no program was refused
   void writeRefusal(const std::string& directory);
+
+  /// @brief Whether writeRefusal() found a program of an earlier job.
+  bool earlierProgram() const { return earlier_program_; }
 
   /// @brief Refuses (DataError) a directory that would overwrite the scan or is a file.
   static void checkDirectory(const std::string& scan, const std::string& directory);
@@ -193,7 +197,7 @@ private:
   GCodeWriter::Statistics program_figures_;
   Criteria criteria_;
   Judgement judgement_;
-  bool passed_ = false;
+  bool passed_ = false, earlier_program_ = false;
   std::vector<std::pair<std::string, double>> seconds_;
 };
 

@@ -162,6 +162,9 @@ public:
   void setTolerance(double tolerance) { tolerance_ = tolerance; }
   /// @brief Refuse a program that leaves more than this over half of the points [mm].
   void setResidualLimit(double limit) { residual_limit_ = limit; }
+  /// @brief Warn where a tenth of the points keep more than twice this, and the
+  /// tolerance, of material: of a program that is known to be whole [mm].
+  void setExpectedResidual(double p90) { expected_residual_ = p90; }
   /// @brief No tip is meant to go below this [mm]: what lies under it is not left over.
   void setFloor(double floor) { floor_ = floor; }
   /// @brief Steepest that a tool with a flat on its end may sink into material
@@ -207,6 +210,7 @@ private:
   double tolerance_ = 0.02, noise_allowance_ = 0.0;
   std::map<int, double> axial_limits_;
   Machine machine_;
+  double expected_residual_ = std::numeric_limits<double>::infinity();
   double residual_limit_ = 1e4, cell_ = 0.25, ramp_limit_ = 45.0;
   double floor_ = -std::numeric_limits<double>::infinity();
   double blend_limit_ = std::numeric_limits<double>::infinity();
