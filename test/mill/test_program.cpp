@@ -48,6 +48,12 @@ TEST_P(EveryPost, MillsAndIsReadBack)
   EXPECT_LT(v.residual.p50, 0.02);
   EXPECT_GT(v.feed_moves, 1000u);
   EXPECT_EQ(job.judgement().time.sections.size(), job.operations().size());
+  double minutes = 0;
+  for (const auto& o : job.operations()) {
+    EXPECT_GT(o.figures.minutes, 0) << o.operation.name;
+    minutes += o.figures.minutes;
+  }
+  EXPECT_NEAR(minutes, job.minutes(), 1e-9);
   for (const auto& program : job.programs())
     EXPECT_EQ(fs::path(program.name).extension(),
               "." + options.writer.getPost().extension);
@@ -113,6 +119,12 @@ TEST(MillProgram, InManyFilesItIsTheSameCut)
         job->verification().residual.p99, one.verification().residual.p99, 1e-3);
     EXPECT_NEAR(job->verification().gouge, one.verification().gouge, 1e-3);
     EXPECT_EQ(job->judgement().program.files.size(), job->programs().size());
+    // Each file changes its tool once more, but the first of each tool.
+    const double changes = 0.25 * (double(job->programs().size()) - 3);
+    EXPECT_NEAR(job->minutes(), one.minutes() + changes, 0.5);
+    for (std::size_t i = 0; i < job->operations().size(); ++i)
+      EXPECT_GE(job->operations()[i].figures.minutes,
+                one.operations()[i].figures.minutes - 0.3);
   }
 }
 

@@ -59,10 +59,7 @@ std::vector<Tool> MillJob::tools() const
 
 double MillJob::minutes() const
 {
-  double sum = 0;
-  for (const auto& o : operations_)
-    sum += o.figures.minutes;
-  return sum;
+  return judgement_.time.total.total() / 60;
 }
 
 std::vector<std::string> MillJob::setUp() const
@@ -189,17 +186,20 @@ void MillJob::verify()
 
 void MillJob::takeTimes()
 {
-  // The writer made a section of each operation, or several, where files end in it.
+  // The writer made a section of each operation, or several, where files end in it. Its
+  // name may be spelled otherwise, in capitals.
   const auto& sections = judgement_.program.sections;
-  std::size_t i = 0;
-  for (auto& o : operations_) {
-    o.figures.minutes = 0;
-    const auto isPart = [&](const ProgramSection& s) {
-      return s.name == o.operation.name && s.tool == o.operation.tool.number;
-    };
-    for (; i < sections.size() && isPart(sections[i]); ++i)
-      o.figures.minutes += judgement_.time.sections[i].total() / 60;
+  std::vector<double> seconds;
+  for (std::size_t i = 0; i < sections.size(); ++i) {
+    if (i == 0 || sections[i].name != sections[i - 1].name ||
+        sections[i].tool != sections[i - 1].tool)
+      seconds.push_back(0);
+    seconds.back() += judgement_.time.sections[i].total();
   }
+  if (seconds.size() != operations_.size()) // a post without comments: as planned
+    return;
+  for (std::size_t i = 0; i < operations_.size(); ++i)
+    operations_[i].figures.minutes = seconds[i] / 60;
 }
 
 void MillJob::plan(const std::string& scan)
