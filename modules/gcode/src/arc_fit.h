@@ -34,10 +34,10 @@ struct Polyline {
 };
 
 /// @brief The axes of a plane; turning from @ref u to @ref v is counter-clockwise.
-struct PlaneAxes {
+struct ArcFrame {
   int u, v, w;
 
-  explicit PlaneAxes(ArcPlane plane)
+  explicit ArcFrame(ArcPlane plane)
       : u(plane == ArcPlane::XY   ? 0
           : plane == ArcPlane::ZX ? 2
                                   : 1),
@@ -75,7 +75,7 @@ double straightDeviation(const Polyline& line, double tolerance);
 /// its other points and the middles of its chords within the tolerance, to first order.
 /// None where there is none.
 std::optional<double>
-commonBulge(const Polyline& line, const PlaneAxes& axes, const ArcLimits& limits);
+commonBulge(const Polyline& line, const ArcFrame& axes, const ArcLimits& limits);
 
 /// @brief Bound of the Frechet distance between @p line and the machine's way on @p arc
 /// from its first to its last point [ticks]; infinite where that is above the

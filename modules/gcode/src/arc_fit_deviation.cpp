@@ -68,7 +68,7 @@ climbError(const ChordAboutCentre& chord, double begin, double rise, double slop
 
 /// The machine's way on an arc that stands for a polyline, seen from its centre.
 struct Way {
-  PlaneAxes axes;
+  ArcFrame axes;
   double sense; ///< 1: counter-clockwise, -1: clockwise
   Vector2d centre, begin, end;
   double low, high; ///< radii between which the machine may be

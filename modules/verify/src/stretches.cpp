@@ -28,7 +28,7 @@ Stretches::Stretches(const std::vector<SweptMove>& moves) : moves_(moves)
 
   // The stretch of the moves first .. last, each matched by its share of the way.
   const auto stretchOf = [&](std::uint32_t first, std::uint32_t last) {
-    Stretch s{moves[first].a, moves[last].b, cutter_[first], first, last + 1, 0, 0};
+    MoveStretch s{moves[first].a, moves[last].b, cutter_[first], first, last + 1, 0, 0};
     double length = 0, way = 0;
     for (std::uint32_t k = first; k <= last; ++k)
       length += (moves[k].b - moves[k].a).norm();
@@ -43,10 +43,10 @@ Stretches::Stretches(const std::vector<SweptMove>& moves) : moves_(moves)
   };
   for (std::uint32_t k = 0; k < moves.size(); ++k) {
     if (!stretches_.empty()) {
-      const Stretch& open = stretches_.back();
+      const MoveStretch& open = stretches_.back();
       if (open.last - open.first < kMost && moves[k].tool == moves[k - 1].tool &&
           moves[k].a == moves[k - 1].b) {
-        const Stretch longer = stretchOf(open.first, k);
+        const MoveStretch longer = stretchOf(open.first, k);
         if (std::max(longer.aside, longer.over) <= kStray * longer.cutter->radius()) {
           stretches_.back() = longer;
           continue;
@@ -67,7 +67,7 @@ double Stretches::thinnest() const
 
 HeightRange Stretches::range(std::size_t i, double x, double y, double radius) const
 {
-  const Stretch& s = stretches_[i];
+  const MoveStretch& s = stretches_[i];
   HeightRange h =
       sweptHeightRange(s.cutter->profile(), s.a, s.b, x, y, radius + s.aside);
   h.low -= s.over;

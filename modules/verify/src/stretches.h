@@ -14,7 +14,7 @@ namespace pointmill {
 
 /// @brief A few moves of a tool, one after the other, that are almost one: each of
 /// their places is as near as said to a place of the straight way from @p a to @p b.
-struct Stretch {
+struct MoveStretch {
   Eigen::Vector3d a, b;
   const SweptCutter* cutter;
   std::uint32_t first, last; ///< moves [first, last)
@@ -27,7 +27,7 @@ public:
   explicit Stretches(const std::vector<SweptMove>& moves);
 
   std::size_t size() const { return stretches_.size(); }
-  const Stretch& operator[](std::size_t i) const { return stretches_[i]; }
+  const MoveStretch& operator[](std::size_t i) const { return stretches_[i]; }
   const SweptMove& move(std::size_t k) const { return moves_[k]; }
   const SweptCutter& cutter(std::size_t k) const { return *cutter_[k]; }
   /// @brief Radius of the thinnest tool [mm].
@@ -51,7 +51,7 @@ private:
   const std::vector<SweptMove>& moves_;
   std::map<const Tool*, SweptCutter> cutters_;
   std::vector<const SweptCutter*> cutter_; // by move
-  std::vector<Stretch> stretches_;
+  std::vector<MoveStretch> stretches_;
 };
 
 } // namespace pointmill

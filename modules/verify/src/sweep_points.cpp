@@ -94,7 +94,7 @@ private:
   /// Puts the moves of a stretch among the candidates.
   void expand(const Tile& tile, std::uint32_t i)
   {
-    const Stretch& s = stretches_[i];
+    const MoveStretch& s = stretches_[i];
     for (std::uint32_t k = s.first; k < s.last; ++k) {
       const HeightRange h = stretches_.moveRange(k, tile.x, tile.y, tile.radius);
       if (h.low != kInfinity)
@@ -137,7 +137,7 @@ private:
 };
 
 /// Where in X the tool can touch places with y0 <= y <= y1 on a stretch.
-std::pair<double, double> extentIn(const Stretch& s, double y0, double y1)
+std::pair<double, double> extentIn(const MoveStretch& s, double y0, double y1)
 {
   const double r = s.cutter->radius() + s.aside, dy = s.b.y() - s.a.y();
   double first = 0, last = 1;
@@ -168,7 +168,7 @@ Gouges sweepPoints(const PointIndex& part,
   const int columns = (tiles.columns() + kBlock - 1) / kBlock;
   Bands bands(part.min().y(), edge, (tiles.rows() + kBlock - 1) / kBlock);
   for (std::size_t i = 0; i < stretches.size(); ++i) {
-    const Stretch& s = stretches[i];
+    const MoveStretch& s = stretches[i];
     bands.add(i, s.a.y(), s.b.y(), s.cutter->radius() + s.aside);
   }
   struct Outcome {
