@@ -72,7 +72,7 @@ double withRadius(double bulge, double half, const ArcLimits& limits)
 } // namespace
 
 std::optional<double>
-commonBulge(const Polyline& line, const ArcFrame& axes, const ArcLimits& limits)
+commonBulge(const Polyline& line, const PlaneAxes& axes, const ArcLimits& limits)
 {
   const Vector2d first = axes.project(line.front()), last = axes.project(line.back());
   BulgeRange range(first, last, std::tan(limits.largest_sweep / 4), limits.tolerance);
@@ -92,7 +92,7 @@ commonBulge(const Polyline& line, const ArcFrame& axes, const ArcLimits& limits)
 std::optional<FittedArc>
 fitArc(const Polyline& line, ArcPlane plane, const ArcLimits& limits)
 {
-  const ArcFrame axes(plane);
+  const PlaneAxes axes = axesOf(plane);
   const Vector2d chord = axes.project(line.back() - line.front());
   if (chord.norm() < shortest_arc)
     return std::nullopt;

@@ -2,6 +2,8 @@
 // Copyright (c) 2026, the PointMill authors
 #pragma once
 
+#include "arc_geometry.h"
+
 #include <pointmill/gcode/machine_calls.h>
 
 #include <Eigen/Core>
@@ -33,20 +35,6 @@ struct Polyline {
   const Eigen::Vector3d& back() const { return points[size - 1]; }
 };
 
-/// @brief The axes of a plane; turning from @ref u to @ref v is counter-clockwise.
-struct ArcFrame {
-  int u, v, w;
-
-  explicit ArcFrame(ArcPlane plane)
-      : u(plane == ArcPlane::XY   ? 0
-          : plane == ArcPlane::ZX ? 2
-                                  : 1),
-        v((u + 1) % 3), w((u + 2) % 3)
-  {
-  }
-  Eigen::Vector2d project(const Eigen::Vector3d& p) const { return {p[u], p[v]}; }
-};
-
 inline double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b)
 {
   return a.x() * b.y() - a.y() * b.x();
@@ -75,7 +63,7 @@ double straightDeviation(const Polyline& line, double tolerance);
 /// its other points and the middles of its chords within the tolerance, to first order.
 /// None where there is none.
 std::optional<double>
-commonBulge(const Polyline& line, const ArcFrame& axes, const ArcLimits& limits);
+commonBulge(const Polyline& line, const PlaneAxes& axes, const ArcLimits& limits);
 
 /// @brief Bound of the Frechet distance between @p line and the machine's way on @p arc
 /// from its first to its last point [ticks]; infinite where that is above the

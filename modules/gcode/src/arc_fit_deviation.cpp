@@ -68,7 +68,7 @@ climbError(const ChordAboutCentre& chord, double begin, double rise, double slop
 
 /// The machine's way on an arc that stands for a polyline, seen from its centre.
 struct Way {
-  ArcFrame axes;
+  PlaneAxes axes;
   double sense; ///< 1: counter-clockwise, -1: clockwise
   Vector2d centre, begin, end;
   double low, high; ///< radii between which the machine may be
@@ -76,7 +76,7 @@ struct Way {
   double climb;     ///< along the axis
 
   Way(const Polyline& line, const MachineArc& arc)
-      : axes(arc.plane), sense(arc.clockwise ? -1.0 : 1.0),
+      : axes(axesOf(arc.plane)), sense(arc.clockwise ? -1.0 : 1.0),
         centre(axes.project(line.front()) +
                Vector2d(static_cast<double>(arc.u), static_cast<double>(arc.v))),
         begin(axes.project(line.front()) - centre),

@@ -148,7 +148,7 @@ void ArcFitter::hand(std::size_t count, const std::optional<MachineArc>& arc)
 {
   const auto from = run_[first_], to = run_[first_ + count];
   if (arc) {
-    const int w = ArcFrame(arc->plane).w;
+    const int w = axesOf(arc->plane).w;
     statistics_.helices_out += from[w] != to[w];
     ++statistics_.arcs_out;
     next_.arc(*arc, feed_);

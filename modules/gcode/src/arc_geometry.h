@@ -4,6 +4,8 @@
 
 #include <pointmill/gcode/machine_calls.h>
 
+#include <Eigen/Core>
+
 #include <cstdint>
 
 namespace pointmill::gcode {
@@ -11,6 +13,8 @@ namespace pointmill::gcode {
 /// @brief Axes 0 .. 2: turning from u to v is counter-clockwise, w goes along.
 struct PlaneAxes {
   int u, v, w;
+
+  Eigen::Vector2d project(const Eigen::Vector3d& p) const { return {p[u], p[v]}; }
 };
 
 inline PlaneAxes axesOf(ArcPlane plane)

@@ -134,10 +134,7 @@ std::string summaryOf(const Judgement& judgement, const Criteria& criteria)
                 v.residual.max,
                 100 * v.untouchedShare());
   text += print("rapids     %zu in stock\n", v.rapids_in_stock);
-  const double minutes = std::ceil(judgement.time.total.total() / 60);
-  text += print("time       %.0f h %02.0f min\n",
-                std::floor(minutes / 60),
-                std::fmod(minutes, 60.0));
+  text += "time       " + hoursAndMinutes(judgement.time.total.total() / 60) + "\n";
   for (const auto& line : findingLines(v, judgement.program))
     text += line + "\n";
   return text + (v.good() ? "passed\n" : "refused\n");
@@ -149,12 +146,7 @@ void writeFindings(const std::string& path,
                    const Criteria& criteria)
 {
   const Verification& v = judgement.verification;
-  pcl::PointCloud<pcl::PointXYZ> part;
-  part.reserve(criteria.part->size());
-  for (std::size_t i = 0; i < criteria.part->size(); ++i) {
-    const Eigen::Vector3f p = criteria.part->point(i).cast<float>();
-    part.push_back({p.x(), p.y(), p.z()});
-  }
+  const pcl::PointCloud<pcl::PointXYZ> part = criteria.part->toCloud();
   FindingScene scene;
   scene.title = title;
   scene.part = &part;

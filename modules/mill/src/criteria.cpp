@@ -23,17 +23,6 @@ using json::Json;
 /// end.
 constexpr double kDeep = 1.5;
 
-pcl::PointCloud<pcl::PointXYZ> cloudOf(const PointIndex& points)
-{
-  pcl::PointCloud<pcl::PointXYZ> cloud;
-  cloud.reserve(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const Eigen::Vector3f p = points.point(i).cast<float>();
-    cloud.push_back({p.x(), p.y(), p.z()});
-  }
-  return cloud;
-}
-
 Criteria::Points pointsFrom(const fs::path& path, unsigned threads)
 {
   const auto cloud = readCloud(path.string());
@@ -41,12 +30,6 @@ Criteria::Points pointsFrom(const fs::path& path, unsigned threads)
                                       threads);
 }
 
-/// The clouds beside the part, which the job writes itself.
-struct Beside {
-  Criteria::Points Criteria::*points;
-  const char* name; ///< in report.json
-  const char* file;
-};
 struct FormName {
   ProgramForm form;
   const char* name;
@@ -73,6 +56,12 @@ ProgramForm formNamed(const std::string& name)
   throw DataError("report.json: criteria: the form " + name + " is not known");
 }
 
+/// The clouds beside the part, which the job writes itself.
+struct Beside {
+  Criteria::Points Criteria::*points;
+  const char* name; ///< in report.json
+  const char* file;
+};
 constexpr Beside kBeside[] = {{&Criteria::model, "model", "model.pcd"},
                               {&Criteria::bridges, "bridges", "bridges.pcd"},
                               {&Criteria::raw, "raw_part", "raw_part.pcd"}};
@@ -115,7 +104,7 @@ std::vector<std::string> Criteria::writeClouds(const std::string& directory) con
     if (this->*beside.points) {
       names.emplace_back(beside.file);
       writeCloud((fs::path(directory) / beside.file).string(),
-                 cloudOf(*(this->*beside.points)));
+                 (this->*beside.points)->toCloud());
     }
   return names;
 }

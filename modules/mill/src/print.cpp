@@ -2,6 +2,7 @@
 // Copyright (c) 2026, the PointMill authors
 #include "print.h"
 
+#include <cmath>
 #include <cstdarg>
 #include <cstdio>
 
@@ -15,6 +16,12 @@ std::string print(const char* format, ...)
   std::vsnprintf(text, sizeof text, format, arguments);
   va_end(arguments);
   return text;
+}
+
+std::string hoursAndMinutes(double minutes)
+{
+  const double whole = std::ceil(minutes);
+  return print("%.0f h %02.0f min", std::floor(whole / 60), std::fmod(whole, 60.0));
 }
 
 } // namespace pointmill

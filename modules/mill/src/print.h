@@ -13,4 +13,7 @@ __attribute__((format(printf, 1, 2)))
 std::string
 print(const char* format, ...);
 
+/// @brief "2 h 05 min", begun minutes counted.
+std::string hoursAndMinutes(double minutes);
+
 } // namespace pointmill

@@ -259,10 +259,7 @@ std::string summaryOf(const MillJob& job, const std::string& directory)
                     gap.centre.x(),
                     gap.centre.y(),
                     job.floor());
-  const double minutes = std::ceil(job.minutes());
-  text += print("time       %.0f h %02.0f min of milling\n",
-                std::floor(minutes / 60),
-                std::fmod(minutes, 60.0));
+  text += "time       " + hoursAndMinutes(job.minutes()) + " of milling\n";
   for (const auto& line : warningsOf(job))
     text += "mind       " + line + "\n";
   const auto at = [&](const char* name) {

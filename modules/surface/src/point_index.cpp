@@ -68,4 +68,13 @@ double PointIndex::gouge(const Tool& tool,
   return searches().back().gouge({points_, *pyramid_}, tool, a, b, tolerance);
 }
 
+pcl::PointCloud<pcl::PointXYZ> PointIndex::toCloud() const
+{
+  pcl::PointCloud<pcl::PointXYZ> cloud;
+  cloud.reserve(size());
+  for (std::size_t i = 0; i < size(); ++i)
+    cloud.push_back({points_.x[i], points_.y[i], points_.z[i]});
+  return cloud;
+}
+
 } // namespace pointmill

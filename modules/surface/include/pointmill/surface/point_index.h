@@ -7,6 +7,7 @@
 #include <pointmill/surface/sorted_points.h>
 
 #include <pcl/point_cloud.h>
+#include <pcl/point_types.h>
 #include <pcl/types.h>
 
 #include <Eigen/Core>
@@ -70,6 +71,9 @@ public:
                const Eigen::Vector3d& a,
                const Eigen::Vector3d& b,
                double tolerance) const;
+
+  /// @brief The points, in the order of the index.
+  pcl::PointCloud<pcl::PointXYZ> toCloud() const;
 
   // The cells, for those who walk over all points.
   double cellSize() const { return points_.frame.cell; }
