@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the PointMill authors
+#pragma once
+
+#include <pointmill/visual/colour.h>
+
+#include <string>
+
+namespace pointmill::viewer {
+
+/// @brief A number of at most four digits that count.
+std::string numberText(double value);
+/// @brief "1:23:45", hours, minutes and seconds.
+std::string clockText(double seconds);
+/// @brief Colour of a figure from 0 to 1 on a page that is white or dark: blue over
+/// green to yellow, ever lighter (after viridis).
+visual::Rgb scaleColour(float share);
+
+} // namespace pointmill::viewer
