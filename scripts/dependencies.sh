@@ -14,7 +14,7 @@ packages_of() {
   case $1 in
     build) echo g++ cmake ninja-build ccache libpcl-dev libcli11-dev nlohmann-json3-dev \
                 libyaml-cpp-dev ;;
-    test)  echo libgtest-dev linuxcnc-uspace ;; # for its interpreter, rs274
+    test)  echo libgtest-dev linuxcnc-uspace xvfb xdotool ;; # the first for rs274
     check) echo clang-format-14 ;;
     tidy)  echo clang clang-tidy ;;
     bench) echo libbenchmark-dev python3-minimal ;;

@@ -19,7 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// So many cells of stock can be drawn anew while the cut is played.
-constexpr double kMostCells = 250'000;
+constexpr double kMostCells = 160'000;
 
 StockField stockBefore(const Criteria& criteria)
 {

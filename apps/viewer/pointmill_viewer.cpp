@@ -59,6 +59,10 @@ int main(int argc, char** argv)
     ViewerScene scene = sceneOf(options);
     const ViewerLook look = lookFor(options, scene);
     Viewer viewer(std::move(scene), look);
+    if (look.level && *look.level >= viewer.levels().size())
+      throw ParameterError("pointmill_viewer: there is no level " +
+                           std::to_string(*look.level + 1) + "; there are " +
+                           std::to_string(viewer.levels().size()));
     if (options.screenshot.empty())
       viewer.show(options.width, options.height, options.play);
     else

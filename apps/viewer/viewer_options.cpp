@@ -134,10 +134,12 @@ void declare(CLI::App& app, ViewerOptions& o)
       "what the colours of paths tell")
       ->default_str("operation");
   app.add_option("--level", o.level, "the level that is shown, 1 at the top")
-      ->type_name("N");
+      ->type_name("N")
+      ->check(CLI::PositiveNumber);
   app.add_flag("--map", o.map, "show the bi-colour map at that level");
   app.add_option("--finding", o.finding, "look at this finding, from 1 on")
-      ->type_name("N");
+      ->type_name("N")
+      ->check(CLI::PositiveNumber);
   app.add_option("--at", o.at, "moment: seconds, h:mm:ss, a share as 50%, \"line 123\"")
       ->type_name("TIME");
   app.add_flag("--play", o.play, "play from there");
@@ -202,17 +204,14 @@ ViewerLook lookFor(const ViewerOptions& o, const ViewerScene& scene)
   look.texts = !o.no_texts;
   if (o.no_axes)
     look.axes = -1;
-  const auto counted = [](const char* what, std::size_t number, std::size_t count) {
-    if (number < 1 || number > count)
-      throw ParameterError("pointmill_viewer: there is no " + std::string(what) + " " +
-                           std::to_string(number) + "; there are " +
-                           std::to_string(count));
-    return number - 1;
-  };
   if (o.level)
     look.level = *o.level - 1;
+  if (o.finding && *o.finding > scene.findings.size())
+    throw ParameterError("pointmill_viewer: there is no finding " +
+                         std::to_string(*o.finding) + "; there are " +
+                         std::to_string(scene.findings.size()));
   if (o.finding)
-    look.finding = counted("finding", *o.finding, scene.findings.size());
+    look.finding = *o.finding - 1;
   if (!o.at.empty())
     look.time = momentOf(o.at, scene);
   else if (look.finding && scene.player && scene.findings[*look.finding].line > 0)

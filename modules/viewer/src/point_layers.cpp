@@ -115,7 +115,8 @@ private:
 } // namespace
 
 vtkSmartPointer<vtkActor> partPoints(const pcl::PointCloud<pcl::PointXYZ>& part,
-                                     const CellCloud* map)
+                                     const CellCloud* map,
+                                     std::size_t stride)
 {
   float low = std::numeric_limits<float>::infinity(), high = -low;
   for (const auto& p : part)
@@ -128,24 +129,29 @@ vtkSmartPointer<vtkActor> partPoints(const pcl::PointCloud<pcl::PointXYZ>& part,
   if (lit)
     slopes.emplace(*map);
   Dots dots(lit);
-  for (const auto& p : part)
+  for (std::size_t i = 0; i < part.size(); i += stride) {
+    const auto& p = part[i];
     if (std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z))
       dots.add(p,
                visual::heightColour(high > low ? (p.z - low) / (high - low) : 0.5f),
                lit ? slopes->normalAt(p.x, p.y) : Eigen::Vector3f::UnitZ().eval());
+  }
   return dots.actor();
 }
 
 vtkSmartPointer<vtkActor>
 deviationPoints(const pcl::PointCloud<pcl::PointXYZI>& deviation,
-                const visual::DeviationScale& scale)
+                const visual::DeviationScale& scale,
+                std::size_t stride)
 {
   Dots dots(false);
-  for (const auto& p : deviation)
+  for (std::size_t i = 0; i < deviation.size(); i += stride) {
+    const auto& p = deviation[i];
     if (std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z))
       dots.add(p,
                std::isnan(p.intensity) ? visual::kNeverCut : scale.at(p.intensity),
                Eigen::Vector3f::UnitZ());
+  }
   return dots.actor();
 }
 

@@ -24,11 +24,9 @@ namespace pointmill::viewer {
 
 namespace {
 
-/// Paths are drawn with chords so long while the view moves, as a share of all there
-/// is.
-constexpr double kCoarse = 1.0 / 250;
-/// With no more points they are drawn as they are.
-constexpr std::size_t kMany = 150'000;
+/// While the view moves, no more points than these are drawn of the paths, and of the
+/// part.
+constexpr vtkIdType kMovingPath = 60'000, kMovingPart = 60'000;
 constexpr double kDash = 1.0 / 120;
 /// What the tool did in the last so many seconds is its trail.
 constexpr double kTrailSeconds = 20;
@@ -39,6 +37,11 @@ vtkNew<vtkPolyDataMapper> mapperOf(vtkPolyData* data)
   vtkNew<vtkPolyDataMapper> mapper;
   mapper->SetInputData(data);
   return mapper;
+}
+
+vtkIdType pointsOf(vtkActor* actor)
+{
+  return actor->GetMapper()->GetInputAsDataSet()->GetNumberOfPoints();
 }
 
 bool hasVolume(const Stock& stock)
@@ -101,30 +104,43 @@ void SceneProps::showSolid(const ViewerLook& look)
   if (stock_)
     stock_->actor()->SetVisibility(stock);
 
-  const bool part = look.solid == ViewedSolid::Part && scene_.part;
-  if (part && !part_) {
-    part_ = partPoints(*scene_.part, scene_.map.get());
-    renderer_->AddActor(part_);
-  }
-  const bool deviation = look.solid == ViewedSolid::Deviation && scene_.deviation;
-  if (deviation && !deviation_) {
-    deviation_ = deviationPoints(*scene_.deviation, deviation_scale_);
-    renderer_->AddActor(deviation_);
-  }
-  if (part_) {
-    part_->SetVisibility(part);
-    part_->GetProperty()->SetPointSize(static_cast<float>(look.point_size));
-  }
-  if (deviation_) {
-    deviation_->SetVisibility(deviation);
-    deviation_->GetProperty()->SetPointSize(static_cast<float>(look.point_size));
-  }
+  part_.visible = look.solid == ViewedSolid::Part && scene_.part;
+  if (part_.visible && !part_.full)
+    part_ = dots(scene_.part->size(), [&](std::size_t stride) {
+      return partPoints(*scene_.part, scene_.map.get(), stride);
+    });
+  deviation_.visible = look.solid == ViewedSolid::Deviation && scene_.deviation;
+  if (deviation_.visible && !deviation_.full)
+    deviation_ = dots(scene_.deviation->size(), [&](std::size_t stride) {
+      return deviationPoints(*scene_.deviation, deviation_scale_, stride);
+    });
+  for (auto* actor : {part_.full.Get(),
+                      part_.coarse.Get(),
+                      deviation_.full.Get(),
+                      deviation_.coarse.Get()})
+    if (actor)
+      actor->GetProperty()->SetPointSize(static_cast<float>(look.point_size));
+  setMoving(moving_);
   if (!edges_ && hasVolume(scene_.stock)) {
     edges_ = stockEdges(scene_.stock);
     renderer_->AddActor(edges_);
   }
   if (edges_)
     edges_->SetVisibility(look.box);
+}
+
+SceneProps::Dots SceneProps::dots(
+    std::size_t points,
+    const std::function<vtkSmartPointer<vtkActor>(std::size_t stride)>& make)
+{
+  Dots made;
+  made.visible = true;
+  made.full = made.coarse = make(1);
+  if (points > kMovingPart)
+    made.coarse = make(points / kMovingPart + 1);
+  renderer_->AddActor(made.full);
+  renderer_->AddActor(made.coarse);
+  return made;
 }
 
 void SceneProps::showPaths(const ViewerLook& look)
@@ -166,7 +182,15 @@ void SceneProps::showPaths(const ViewerLook& look)
     return actor;
   };
   paths_ = lines(0);
-  coarse_paths_ = scene_.path->size() > kMany ? lines(kCoarse * diagonal_) : paths_;
+  coarse_paths_ = paths_;
+  for (double coarse = diagonal_ / 1000; pointsOf(coarse_paths_) > kMovingPath;
+       coarse *= 2) {
+    if (coarse_paths_ != paths_)
+      renderer_->RemoveActor(coarse_paths_);
+    coarse_paths_ = lines(coarse);
+    if (coarse > diagonal_)
+      break; // strips of two points each are all there is
+  }
   setMoving(moving_);
 
   rapids_ = vtkSmartPointer<vtkActor>::New();
@@ -182,11 +206,16 @@ void SceneProps::showPaths(const ViewerLook& look)
 void SceneProps::setMoving(bool moving)
 {
   moving_ = moving;
-  if (!paths_)
-    return;
-  paths_->SetVisibility(paths_visible_ && !(moving && coarse_paths_ != paths_));
-  if (coarse_paths_ != paths_)
-    coarse_paths_->SetVisibility(paths_visible_ && moving);
+  const auto choose = [moving](vtkActor* full, vtkActor* coarse, bool visible) {
+    if (!full)
+      return;
+    full->SetVisibility(visible && !(moving && coarse != full));
+    if (coarse != full)
+      coarse->SetVisibility(visible && moving);
+  };
+  choose(paths_, coarse_paths_, paths_visible_);
+  choose(part_.full, part_.coarse, part_.visible);
+  choose(deviation_.full, deviation_.coarse, deviation_.visible);
 }
 
 void SceneProps::showTrail(const ViewerLook& look)

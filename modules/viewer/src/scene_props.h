@@ -10,6 +10,7 @@
 
 #include <vtkRenderer.h>
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -42,6 +43,13 @@ public:
   void aim(const ViewerLook& look);
 
 private:
+  /// Points, and fewer of them for while the view moves; the same where they are few.
+  struct Dots {
+    vtkSmartPointer<vtkActor> full, coarse;
+    bool visible = false;
+  };
+  Dots dots(std::size_t points,
+            const std::function<vtkSmartPointer<vtkActor>(std::size_t stride)>& make);
   void showSolid(const ViewerLook& look);
   void showPaths(const ViewerLook& look);
   void showTrail(const ViewerLook& look);
@@ -51,7 +59,6 @@ private:
   void showTexts(const ViewerLook& look, int room);
   std::string momentText(const ViewerLook& look) const;
   std::vector<Legend> legendsOf(const ViewerLook& look) const;
-  void removeIfThere(vtkSmartPointer<vtkProp>& prop);
 
   const ViewerScene& scene_;
   const std::vector<double>& levels_;
@@ -60,7 +67,8 @@ private:
   double diagonal_ = 1.0; // of all that is shown [mm]
   Eigen::AlignedBox3d box_;
   std::optional<StockSurface> stock_;
-  vtkSmartPointer<vtkActor> part_, deviation_, edges_, trail_, rapids_, sheet_;
+  Dots part_, deviation_;
+  vtkSmartPointer<vtkActor> edges_, trail_, rapids_, sheet_;
   visual::DeviationScale deviation_scale_{0.02, 0.2};
   /// Of all points, and of fewer while the view moves; the same where they are few.
   vtkSmartPointer<vtkActor> paths_, coarse_paths_;

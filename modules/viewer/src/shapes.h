@@ -36,13 +36,16 @@ vtkSmartPointer<vtkActor> levelSheet(const CellCloud& map, double level_z);
 
 /// @brief The points of the part, coloured by height; lit by the slopes of the map
 /// where there is one.
+/// @param stride one of so many points is drawn
 vtkSmartPointer<vtkActor> partPoints(const pcl::PointCloud<pcl::PointXYZ>& part,
-                                     const CellCloud* map);
+                                     const CellCloud* map,
+                                     std::size_t stride = 1);
 
 /// @brief The points coloured by their intensity.
 vtkSmartPointer<vtkActor>
 deviationPoints(const pcl::PointCloud<pcl::PointXYZI>& deviation,
-                const visual::DeviationScale& scale);
+                const visual::DeviationScale& scale,
+                std::size_t stride = 1);
 
 /// @brief Where colours of deviations end: what 99 of 100 points keep, but 4 .. 10
 /// tolerances.

@@ -69,10 +69,10 @@ vtkSmartPointer<vtkProp3D> toolShape(const Tool& tool)
   const double radius = profile.radius();
   const double rim = profile.height(radius);
   const double flutes =
-      std::max(tool.flute_length > 0 ? tool.flute_length : 3 * tool.diameter, rim);
+      std::max(tool.flute_length > 0 ? tool.flute_length : 2.5 * tool.diameter, rim);
   const double shank = tool.shank_diameter > 0 ? tool.shank_diameter / 2 : radius;
-  const double face = std::max(
-      tool.stick_out > 0 ? tool.stick_out : flutes + 2 * tool.diameter, flutes);
+  const double face =
+      std::max(tool.stick_out > 0 ? tool.stick_out : flutes + tool.diameter, flutes);
 
   Outline end;
   for (int i = 0; i < kOutlinePlaces; ++i) { // closer where a round end is steep

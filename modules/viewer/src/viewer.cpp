@@ -167,6 +167,12 @@ private:
     renderer()->AddActor(axes);
   }
 
+  bool drawsInSoftware()
+  {
+    const std::string what = window()->ReportCapabilities();
+    return what.find("llvmpipe") != std::string::npos ||
+           what.find("softpipe") != std::string::npos;
+  }
   bool onKey(const std::string& key, bool shift, bool control);
   void seek(double seconds);
   void setPlaying(bool playing);
@@ -290,6 +296,8 @@ bool Viewer::Window::onKey(const std::string& key, bool shift, bool control)
 
 void Viewer::Window::run(bool playing)
 {
+  if (drawsInSoftware())
+    window()->SetMultiSamples(0); // what is smooth is slow there
   visualizer_->createInteractor();
   vtkRenderWindowInteractor* interactor = window()->GetInteractor();
   window()->SetWindowName(scene_.title.c_str());
@@ -370,6 +378,8 @@ double Viewer::framesPerSecond(int width, int height, int frames, bool moving)
 {
   Window window(*this, makeOffscreenWindow(width, height), width, height);
   window.setMoving(moving);
+  if (moving)
+    window.window()->SetMultiSamples(0);
   window.window()->Render(); // what is first made is not counted
   const double begin = secondsNow();
   for (int i = 0; i < frames; ++i) {
