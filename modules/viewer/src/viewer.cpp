@@ -55,6 +55,19 @@ double secondsNow()
       .count();
 }
 
+/// Draws one picture, which is not counted, and then so many.
+template <typename Change>
+double perSecond(int frames, vtkRenderWindow* window, const Change& change)
+{
+  window->Render();
+  const double begin = secondsNow();
+  for (int i = 0; i < frames; ++i) {
+    change(i);
+    window->Render();
+  }
+  return frames / (secondsNow() - begin);
+}
+
 /// Calls a function of ours for an event of VTK's.
 template <typename Body>
 vtkSmartPointer<vtkCallbackCommand> callback(Body& body)
@@ -109,6 +122,12 @@ public:
   vtkRenderWindow* window() { return visualizer_->getRenderWindow(); }
 
   void setMoving(bool moving) { props_->setMoving(moving); }
+  /// Another moment, not yet drawn.
+  void show(double seconds)
+  {
+    seek(seconds);
+    props_->update(look_);
+  }
   void run(bool playing);
 
 private:
@@ -380,13 +399,21 @@ double Viewer::framesPerSecond(int width, int height, int frames, bool moving)
   window.setMoving(moving);
   if (moving)
     window.window()->SetMultiSamples(0);
-  window.window()->Render(); // what is first made is not counted
-  const double begin = secondsNow();
-  for (int i = 0; i < frames; ++i) {
+  return perSecond(frames, window.window(), [&](int) {
     window.renderer()->GetActiveCamera()->Azimuth(360.0 / frames);
-    window.window()->Render();
-  }
-  return frames / (secondsNow() - begin);
+  });
+}
+
+double Viewer::playedPerSecond(int width, int height, int frames)
+{
+  if (!scene_.player)
+    throw DataError("there is no program to play");
+  Window window(*this, makeOffscreenWindow(width, height), width, height);
+  window.window()->SetMultiSamples(0);
+  const double middle = scene_.player->duration() / 2;
+  window.show(middle);
+  return perSecond(
+      frames, window.window(), [&](int i) { window.show(middle + 0.5 * i); });
 }
 
 } // namespace pointmill

@@ -79,6 +79,10 @@ public:
   /// pictures per second; @p moving as while the mouse turns it, with coarser paths.
   double framesPerSecond(int width, int height, int frames, bool moving);
 
+  /// @brief The same while the program is played from its middle on, half a second of
+  /// it a picture.
+  double playedPerSecond(int width, int height, int frames);
+
   /// @brief The heights of the levels that can be shown, from the top [mm].
   const std::vector<double>& levels() const;
 
