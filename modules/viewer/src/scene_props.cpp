@@ -59,21 +59,24 @@ SceneProps::SceneProps(const ViewerScene& scene,
       overlay_(renderer,
                look.background.r + look.background.g + look.background.b < 1.5f)
 {
-  const auto extend = [&](const auto& cloud) {
+  const auto extend = [](Eigen::AlignedBox3d& box, const auto& cloud) {
     for (const auto& p : cloud)
       if (std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z))
-        box_.extend(Eigen::Vector3d(p.x, p.y, p.z));
+        box.extend(Eigen::Vector3d(p.x, p.y, p.z));
   };
   if (hasVolume(scene.stock)) {
     box_.extend(scene.stock.min);
     box_.extend(scene.stock.max);
   }
   if (scene.part)
-    extend(*scene.part);
+    extend(box_, *scene.part);
   if (box_.isEmpty() && scene.map)
-    extend(*scene.map);
-  if (box_.isEmpty() && scene.path)
-    extend(*scene.path);
+    extend(box_, *scene.map);
+  box_with_paths_ = box_;
+  if (scene.path)
+    extend(box_with_paths_, *scene.path);
+  if (box_.isEmpty())
+    box_ = box_with_paths_;
   if (!box_.isEmpty())
     diagonal_ = std::max(box_.diagonal().norm(), 1e-3);
   if (scene.deviation)
@@ -414,6 +417,34 @@ void SceneProps::showTexts(const ViewerLook& look, int room)
   overlay_.layOut();
 }
 
+void SceneProps::fill(const Eigen::AlignedBox3d& box, bool beside_texts)
+{
+  const Eigen::Vector3d lo = box.min(), hi = box.max();
+  renderer_->ResetCamera(lo.x(), hi.x(), lo.y(), hi.y(), lo.z(), hi.z());
+  // The legend is on the right, figures are at the foot: what is free, from -1 to 1.
+  const Eigen::AlignedBox2d room(
+      Eigen::Vector2d(-0.94, beside_texts ? -0.78 : -0.94),
+      Eigen::Vector2d(beside_texts ? 0.72 : 0.94, beside_texts ? 0.88 : 0.94));
+  vtkCamera* camera = renderer_->GetActiveCamera();
+  constexpr int enough = 3; // perspective makes it no simple proportion
+  for (int i = 0; i < enough; ++i) {
+    Eigen::AlignedBox2d seen;
+    for (int corner = 0; corner < 8; ++corner) {
+      const Eigen::Vector3d p =
+          box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(corner));
+      Eigen::Vector3d view = p;
+      renderer_->WorldToView(view.x(), view.y(), view.z());
+      seen.extend(view.head<2>());
+    }
+    camera->Zoom((room.sizes().array() / seen.sizes().array()).minCoeff());
+    // The window's middle is given in its halves.
+    const Eigen::Vector2d off = seen.center() - room.center();
+    double now[2];
+    camera->GetWindowCenter(now);
+    camera->SetWindowCenter(now[0] + off.x(), now[1] + off.y());
+  }
+}
+
 void SceneProps::aim(const ViewerLook& look)
 {
   struct Direction {
@@ -441,16 +472,15 @@ void SceneProps::aim(const ViewerLook& look)
   camera->SetPosition(d.eye.x(), d.eye.y(), d.eye.z());
   camera->SetViewUp(d.up.x(), d.up.y(), d.up.z());
   camera->SetViewAngle(25);
+  camera->SetWindowCenter(0, 0);
+  camera->SetParallelProjection(look.from != ViewedFrom::Iso); // sizes are comparable
   if (box_.isEmpty())
     renderer_->ResetCamera();
-  else {
-    const Eigen::Vector3d lo = box_.min(), hi = box_.max();
-    renderer_->ResetCamera(lo.x(), hi.x(), lo.y(), hi.y(), lo.z(), hi.z());
-    camera->Zoom(1.2); // VTK looks at the sphere round the box
-    // The legend is on the right, figures are at the foot.
-    if (look.texts)
-      camera->SetWindowCenter(0.1, -0.05);
-  }
+  else
+    fill(look.paths == ViewedPaths::All || look.paths == ViewedPaths::Level
+             ? box_with_paths_
+             : box_,
+         look.texts);
   if (look.finding && *look.finding < scene_.findings.size() &&
       scene_.findings[*look.finding].place) {
     const Eigen::Vector3d& at = *scene_.findings[*look.finding].place;

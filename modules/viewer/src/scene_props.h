@@ -43,6 +43,8 @@ public:
   void aim(const ViewerLook& look);
 
 private:
+  /// Brings a box into the room that texts leave.
+  void fill(const Eigen::AlignedBox3d& box, bool beside_texts);
   /// Points, and fewer of them for while the view moves; the same where they are few.
   struct Dots {
     vtkSmartPointer<vtkActor> full, coarse;
@@ -65,7 +67,7 @@ private:
   vtkRenderer* renderer_;
   Overlay overlay_;
   double diagonal_ = 1.0; // of all that is shown [mm]
-  Eigen::AlignedBox3d box_;
+  Eigen::AlignedBox3d box_, box_with_paths_;
   std::optional<StockSurface> stock_;
   Dots part_, deviation_;
   vtkSmartPointer<vtkActor> edges_, trail_, rapids_, sheet_;
