@@ -301,10 +301,12 @@ TEST_F(Pictures, TextsStandAtTheSidesAndCanBeLeftOut)
   ViewerScene s = scene();
   s.operations = {{"slot, T1 flat 6 mm", 0, 0, 0}, {"groove, T2 ball 4 mm", 1, 0, 0}};
   ViewerLook look = bare();
+  look.solid = ViewedSolid::None;
   const auto dark = [](const Pixel& p) {
     return p[0] < 110 && p[1] < 110 && p[2] < 120;
   };
   EXPECT_EQ(draw(s, look).count(0, kWidth / 4, 0, 40, dark), 0);
+  look.solid = ViewedSolid::Stock;
   look.texts = true;
   const Picture p = draw(s, look);
   EXPECT_GT(p.count(0, kWidth / 4, 0, 40, dark), 20);                 // title
