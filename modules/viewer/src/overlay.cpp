@@ -2,6 +2,8 @@
 // Copyright (c) 2026, the PointMill authors
 #include "overlay.h"
 
+#include "words.h"
+
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkNew.h>
@@ -73,11 +75,11 @@ std::string plain(const std::string& text)
 
 } // namespace
 
-Overlay::Overlay(vtkRenderer* renderer, bool dark)
-    : renderer_(renderer), ink_(dark ? visual::kPage : visual::kInk),
-      faint_(dark ? visual::kRule : visual::kFaintInk),
-      paper_(dark ? visual::hex(0x11161B) : visual::kPage), title_(text(kTitle, true)),
-      moment_(text(kText, false)), hint_(text(kText, false)), help_(text(kText, false))
+Overlay::Overlay(vtkRenderer* renderer, const visual::Rgb& background)
+    : renderer_(renderer), ink_(inkOn(background)),
+      faint_(isDark(background) ? visual::kRule : visual::kFaintInk),
+      paper_(background), title_(text(kTitle, true)), moment_(text(kText, false)),
+      hint_(text(kText, false)), help_(text(kText, false))
 {
   vtkTextProperty* box = help_->GetTextProperty();
   box->SetFontFamilyToCourier();

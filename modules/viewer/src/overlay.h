@@ -26,8 +26,7 @@ struct Legend {
 /// right side, and a text of several lines on demand.
 class Overlay {
 public:
-  /// @param dark whether the view's background is
-  Overlay(vtkRenderer* renderer, bool dark);
+  Overlay(vtkRenderer* renderer, const visual::Rgb& background);
 
   void setTitle(const std::string& text) { title_->SetInput(text.c_str()); }
   /// @brief Lines at the lower left, over @p room px that something else takes.

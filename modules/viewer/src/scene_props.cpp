@@ -56,8 +56,7 @@ SceneProps::SceneProps(const ViewerScene& scene,
                        vtkRenderer* renderer,
                        const ViewerLook& look)
     : scene_(scene), levels_(levels), renderer_(renderer),
-      overlay_(renderer,
-               look.background.r + look.background.g + look.background.b < 1.5f)
+      overlay_(renderer, look.background)
 {
   const auto extend = [](Eigen::AlignedBox3d& box, const auto& cloud) {
     for (const auto& p : cloud)

@@ -7,6 +7,7 @@
 #include "playback.h"
 #include "scene_props.h"
 #include "window_style.h"
+#include "words.h"
 
 #include <pointmill/common/error.h>
 #include <pointmill/common/parameters.h>
@@ -105,6 +106,7 @@ public:
                                                   style_,
                                                   false);
     window->SetSize(width, height);
+    visualizer_->setShowFPS(false);
     const visual::Rgb& page = look_.background;
     visualizer_->setBackgroundColor(page.r, page.g, page.b);
     for (const auto& viewed : scene_.clouds)
@@ -173,13 +175,15 @@ private:
     axes->SetTotalLength(length, length, length);
     axes->SetShaftTypeToCylinder();
     axes->SetCylinderRadius(0.02);
+    axes->SetNormalizedLabelPosition(1.25, 1.25, 1.25);
     for (auto* caption : {axes->GetXAxisCaptionActor2D(),
                           axes->GetYAxisCaptionActor2D(),
                           axes->GetZAxisCaptionActor2D()}) {
       caption->GetTextActor()->SetTextScaleModeToNone();
       vtkTextProperty* text = caption->GetCaptionTextProperty();
       text->SetFontSize(18);
-      text->SetColor(visual::kInk.r, visual::kInk.g, visual::kInk.b);
+      const visual::Rgb ink = inkOn(look_.background);
+      text->SetColor(ink.r, ink.g, ink.b);
       text->ItalicOff();
       text->ShadowOff();
     }
