@@ -19,6 +19,15 @@ build/release/bin/pointmill check out/sample/wrong_tool.ngc --dir out/sample --q
   --picture doc/images/refused.png || status=$?
 [ $status = 3 ]
 
+# CL points as pm_rough shows them, where there is a display or one can be lent.
+if [ "${DISPLAY-}" ] || command -v xvfb-run >/dev/null; then
+  cmake --build --preset release --target pm_rough
+  lend=()
+  [ "${DISPLAY-}" ] || lend=(xvfb-run -a -s "-screen 0 1280x1024x24")
+  "${lend[@]}" build/release/bin/pm_rough out/sample/part.pcd --step-down 4 --quiet \
+    -bc 255,255,255 --png doc/images/demo_rough.png
+fi
+
 # Without the seconds that it took, the last column: they differ from run to run.
 figures=$(build/release/bin/pointmill mill data/sample_scan.pcd -o out/sample |
           sed -E '/^operation/,/^verified/ { /^verified/! s/ +[^ ]+$// }')
