@@ -67,6 +67,12 @@ public:
   /// @brief Distance of the patch from its plane over (s, t) [mm].
   double height(double s, double t) const;
 
+  /// @brief First and second derivatives of the height by s and t.
+  struct Slopes {
+    double s, t, ss, st, tt;
+  };
+  Slopes slopes(double s, double t) const;
+
   const Eigen::Vector3d& origin() const { return origin_; }
   const Eigen::Vector3d& normal() const { return normal_; }
   const Eigen::Vector3d& tangentS() const { return s_; }
