@@ -7,7 +7,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <memory>
+#include <vector>
 
 using namespace pointmill;
 
@@ -117,6 +120,29 @@ TEST(Curvature, OfASaddleHasBothSigns)
     ASSERT_NEAR(hollow, mean + half, 1e-3);
     ASSERT_NEAR(ridge, mean - half, 1e-3);
   });
+}
+
+TEST(Curvature, NoiseIsFlatAndFormIsNot)
+{
+  const auto mapWithNoise = [](double (*height)(double, double)) {
+    const Ground ground(height);
+    pointmill_test::Random random(7);
+    std::vector<float> x, y, z;
+    for (std::size_t i = 0; i < ground.points->size(); ++i) {
+      const Eigen::Vector3d p = ground.points->point(i);
+      x.push_back(static_cast<float>(p.x()));
+      y.push_back(static_cast<float>(p.y()));
+      z.push_back(static_cast<float>(p.z() + random.uniform(-0.01, 0.01)));
+    }
+    return mapCurvature(PointIndex(x, y, z), ground.map, 600);
+  };
+  const auto flat = mapWithNoise(slope).hollow;
+  const auto told = std::count_if(
+      flat.begin(), flat.end(), [](const PointCell& c) { return c.z != 0; });
+  EXPECT_LT(told, static_cast<long>(flat.size() / 50));
+  const auto round = mapWithNoise(bowl).hollow;
+  EXPECT_NEAR(round.at(12, 12).z, 1 / kR, 0.05);
+  EXPECT_GT(round.at(12, 12).z, 0);
 }
 
 TEST(Curvature, ALargeMapIsThinnedOut)

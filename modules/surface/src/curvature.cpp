@@ -11,7 +11,10 @@
 namespace pointmill {
 namespace {
 
-/// The cells of a map thinned out to every so manieth column and row, each the highest
+/// Less than so many standard deviations are noise.
+constexpr double kSure = 3.0;
+
+/// The cells of a map thinned out to every n-th column and row, each the highest
 /// of those that it stands for.
 CellCloud thinned(const CellCloud& map, std::uint32_t stride)
 {
@@ -85,9 +88,11 @@ CurvatureMap mapCurvature(const PointIndex& points,
       if (!patch.fit(near, near.planeNormal()))
         continue;
       const Curvatures bent = curvaturesOf(patch, 0, 0);
+      const double noise = kSure * patch.bendDeviation();
       for (CellCloud* cells : {&out.hollow, &out.ridge}) {
         PointCell& cell = cells->at(c, row);
-        cell.z = static_cast<float>(cells == &out.hollow ? bent.hollow : bent.ridge);
+        const double curvature = cells == &out.hollow ? bent.hollow : bent.ridge;
+        cell.z = std::abs(curvature) > noise ? static_cast<float>(curvature) : 0.f;
         cell.setState(CellState::Occupied);
       }
     }

@@ -177,6 +177,13 @@ Patch::Slopes Patch::slopes(double s, double t) const
           2 * c_[5] / area};
 }
 
+double Patch::bendDeviation() const
+{
+  const double ss = solver_.solve(Terms::Unit(3))[3];
+  const double tt = solver_.solve(Terms::Unit(5))[5];
+  return 2 * residual_ * std::sqrt(std::max(ss, tt)) / (radius_ * radius_);
+}
+
 Vector3d Patch::normalAt(double s, double t) const
 {
   const Slopes w = slopes(s, t);

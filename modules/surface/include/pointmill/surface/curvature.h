@@ -20,8 +20,8 @@ struct Curvatures {
 Curvatures curvaturesOf(const Patch& patch, double s, double t);
 
 /// @brief The principal curvatures of a part, place by place, as organised clouds of
-/// cells whose `z` is not a height but a curvature [1/mm]; NaN where there is no part
-/// or no quadric fits its points.
+/// cells whose `z` is not a height but a curvature [1/mm]; 0 where it cannot be told
+/// from the points' noise, NaN where there is no part or no quadric fits its points.
 struct CurvatureMap {
   CellCloud hollow, ridge;
 };

@@ -72,6 +72,9 @@ public:
     double s, t, ss, st, tt;
   };
   Slopes slopes(double s, double t) const;
+  /// @brief Standard deviation of the second derivatives `ss` and `tt` [1/mm], the
+  /// larger, as the residual tells the points' noise.
+  double bendDeviation() const;
 
   const Eigen::Vector3d& origin() const { return origin_; }
   const Eigen::Vector3d& normal() const { return normal_; }
