@@ -11,6 +11,7 @@ scripts/quickstart.sh
 mkdir -p doc/images
 cp out/sample/preview.png doc/images/sample.png
 cp out/sample/occupancy_2.png doc/images/occupancy.png
+cp out/sample/gaps.png out/sample/curvature.png doc/images
 
 # A program with the wrong tool, and why it is refused.
 sed 's/^T3 M6$/T1 M6/; s/^G43 H3$/G43 H1/' out/sample/program.ngc >out/sample/wrong_tool.ngc
