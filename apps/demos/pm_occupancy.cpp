@@ -6,6 +6,7 @@
 #include "demo.h"
 
 #include <pointmill/slice/occupancy_map.h>
+#include <pointmill/visual/heights_picture.h>
 #include <pointmill/visual/occupancy_picture.h>
 
 using namespace pointmill;
@@ -36,7 +37,8 @@ int main(int argc, char** argv)
       ->type_name("X Y")
       ->type_size(2)
       ->expected(-1);
-  numberOption(demo.options(), "--level", level, "MM", "that --png shows, from above");
+  numberOption(
+      demo.options(), "--level", level, "MM", "of --png, a map; else it shows heights");
   return demo.run(argc, argv, [&] {
     std::vector<Eigen::Vector2d> places;
     for (const auto& [x, y] : holes)
@@ -45,8 +47,10 @@ int main(int argc, char** argv)
     const auto cells = demo.filter(map, readPart(path));
     for (const auto& gap : map.getGaps())
       demo.print("gap_mm2", std::to_string(gap.area));
-    if (demo.has("--level") && demo.has("--png"))
-      writeOccupancy(demo.takePng(), *cells, level);
+    if (const std::string png = demo.takePng(); demo.has("--level") && !png.empty())
+      writeOccupancy(png, *cells, level);
+    else if (!png.empty())
+      writeHeights(png, *cells);
     demo.finish(withoutNan(*cells));
   });
 }

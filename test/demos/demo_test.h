@@ -10,6 +10,8 @@
 #include <sstream>
 #include <string>
 
+#include <sys/wait.h>
+
 namespace demo_test {
 
 struct Outcome {

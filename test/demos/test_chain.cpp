@@ -148,6 +148,16 @@ TEST_F(DemoChain, SlicesHoldWhatStandsAboveThem)
   EXPECT_EQ(all->back().label + 1, slices.levels().size());
 }
 
+TEST_F(DemoChain, PicturesOfMapsNeedNoDisplay)
+{
+  good("pm_align " POINTMILL_DATA "/dome.pcd part.pcd");
+  good("pm_occupancy part.pcd --png heights.png");
+  good("pm_occupancy part.pcd map.pcd --png level.png --level -3");
+  EXPECT_EQ(read("heights.png").substr(1, 3), "PNG");
+  EXPECT_EQ(read("level.png").substr(1, 3), "PNG");
+  EXPECT_NE(read("level.png"), read("heights.png"));
+}
+
 TEST_F(DemoChain, EveryPostIsReadBack)
 {
   good("pm_align " POINTMILL_DATA "/dome.pcd part.pcd");
