@@ -15,6 +15,7 @@
 #include <pointmill/verify/program_verifier.h>
 
 #include <algorithm>
+#include <cstdlib>
 
 using namespace demo_test;
 using namespace pointmill;
@@ -107,4 +108,10 @@ TEST_F(DemoOptions, AnAxisMayBeNegative)
   good("pm_align " POINTMILL_DATA "/dome.pcd a.pcd --up -z");
   good("pm_align " POINTMILL_DATA "/dome.pcd b.pcd --up=-z");
   EXPECT_EQ(read("a.pcd"), read("b.pcd"));
+}
+
+TEST_F(DemoOptions, WithoutADisplayAViewIsRefused)
+{
+  unsetenv("DISPLAY");
+  bad(2, "no display", "pm_align " POINTMILL_DATA "/dome.pcd --png view", "view");
 }

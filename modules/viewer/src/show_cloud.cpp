@@ -12,6 +12,7 @@
 #include <vtkCamera.h>
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
+#include <vtkLogger.h>
 #include <vtkPNGWriter.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
@@ -135,6 +136,8 @@ void showCloud(const std::string& title, const Cloud& cloud, const CloudView& vi
     throw DataError(title + ": the cloud is empty");
   if (!std::getenv("DISPLAY")) // VTK would end the program
     throw DataError("there is no display to show a cloud on; xvfb-run lends one");
+  vtkLogger::SetStderrVerbosity(
+      vtkLogger::VERBOSITY_OFF); // PCL uses what is deprecated
   pcl::visualization::PCLVisualizer viewer(title, view.window);
   if (!view.window)
     viewer.getRenderWindow()->SetOffScreenRendering(1);
