@@ -4,7 +4,6 @@
 #include <pointmill/common/point_types.h>
 #include <pointmill/viewer/show_cloud.h>
 
-#include <pcl/common/colors.h>
 #include <pcl/common/io.h>
 #include <pcl/conversions.h>
 #include <pcl/visualization/pcl_visualizer.h>
@@ -34,6 +33,10 @@ using Cloud = pcl::PCLPointCloud2;
 using ByField = pcl::visualization::PointCloudColorHandlerGenericField<Cloud>;
 using Places = pcl::visualization::PointCloudGeometryHandlerXYZ<Cloud>;
 
+/// Of Okabe and Ito, which people with any colour vision tell apart.
+constexpr std::array<std::array<int, 3>, 5> kPalette = {
+    {{0, 114, 178}, {230, 159, 0}, {86, 180, 233}, {204, 121, 167}, {0, 158, 115}}};
+
 bool has(const Cloud& cloud, const std::string& field)
 {
   return pcl::getFieldIndex(cloud, field) >= 0;
@@ -62,12 +65,11 @@ vtkSmartPointer<vtkPolyData> linesOf(const CLCloud& path)
     const auto end = static_cast<vtkIdType>(i);
     const vtkIdType ends[] = {end - 1, end};
     lines->InsertNextCell(2, ends);
-    const auto c =
-        pcl::GlasbeyLUT::at((levels ? p.level : p.label) % pcl::GlasbeyLUT::size());
+    const auto& c = kPalette[(levels ? p.level : p.label) % kPalette.size()];
     if (isRapid(p))
       colours->InsertNextTuple3(200, 200, 200);
     else
-      colours->InsertNextTuple3(c.r, c.g, c.b);
+      colours->InsertNextTuple3(c[0], c[1], c[2]);
   }
   auto shape = vtkSmartPointer<vtkPolyData>::New();
   shape->SetPoints(points);
