@@ -13,6 +13,7 @@ cp out/sample/preview.png doc/images/sample.png
 cp out/sample/occupancy_2.png doc/images/occupancy.png
 build/release/bin/pointmill_viewer out/sample --at 58% --size 1600x900 \
   --screenshot doc/images/viewer.png
+cp out/sample/gaps.png out/sample/curvature.png doc/images
 
 # A program with the wrong tool, and why it is refused.
 sed 's/^T3 M6$/T1 M6/; s/^G43 H3$/G43 H1/' out/sample/program.ngc >out/sample/wrong_tool.ngc
@@ -20,6 +21,11 @@ status=0
 build/release/bin/pointmill check out/sample/wrong_tool.ngc --dir out/sample --quiet \
   --picture doc/images/refused.png || status=$?
 [ $status = 3 ]
+
+# CL points as pm_rough shows them.
+cmake --build --preset release --target pm_rough
+build/release/bin/pm_rough out/sample/part.pcd --step-down 4 --quiet \
+  --png doc/images/demo_rough.png
 
 # Without the seconds that it took, the last column: they differ from run to run.
 figures=$(build/release/bin/pointmill mill data/sample_scan.pcd -o out/sample |

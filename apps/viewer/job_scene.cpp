@@ -75,7 +75,6 @@ void addPath(ViewerScene& scene,
              const std::vector<Tool>& tools)
 {
   scene.path = readPoints<PointCL>(path);
-  scene.operations.clear();
   std::size_t first = 0;
   for (const auto& o : operations) {
     const auto tool = std::find_if(
@@ -87,16 +86,6 @@ void addPath(ViewerScene& scene,
          o.cl_points});
     first += o.cl_points;
   }
-  if (operations.empty())
-    scene.operations.push_back(
-        {fs::path(path).filename().string(), 0, 0, scene.path->size()});
-}
-
-bool has(const pcl::PCLPointCloud2& cloud, const char* name)
-{
-  return std::any_of(cloud.fields.begin(), cloud.fields.end(), [&](const auto& f) {
-    return f.name == name;
-  });
 }
 
 } // namespace
@@ -143,17 +132,6 @@ ViewerScene sceneOfJob(const std::string& directory,
   scene.player = std::make_shared<CutPlayer>(
       stockBefore(criteria), program, std::move(ends), criteria.tools);
   return scene;
-}
-
-void addFile(ViewerScene& scene, const std::string& path)
-{
-  const auto cloud = readScanFields(path);
-  if (has(*cloud, "motion") && has(*cloud, "feed"))
-    addPath(scene, path, {}, {});
-  else if (has(*cloud, "count") && has(*cloud, "label") && cloud->height > 1)
-    scene.map = readPoints<PointCell>(path);
-  else
-    scene.clouds.push_back({path, cloud});
 }
 
 void addScan(ViewerScene& scene, const std::string& path, const std::string& directory)

@@ -14,11 +14,6 @@
 pointmill::ViewerScene sceneOfJob(const std::string& directory,
                                   const std::vector<std::string>& programs);
 
-/// @brief Adds a file: a CL cloud and an occupancy map as what they are, anything else
-/// as a cloud.
-/// @throws DataError
-void addFile(pointmill::ViewerScene& scene, const std::string& path);
-
 /// @brief Adds the scan that a job was made from, in the job's part frame.
 /// @throws DataError
 void addScan(pointmill::ViewerScene& scene,

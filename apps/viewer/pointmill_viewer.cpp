@@ -8,6 +8,8 @@
 
 #include <pointmill/common/error.h>
 #include <pointmill/common/version.h>
+#include <pointmill/io/read_fields.h>
+#include <pointmill/viewer/add_cloud.h>
 #include <pointmill/viewer/viewer.h>
 
 #include <filesystem>
@@ -37,7 +39,8 @@ ViewerScene sceneOf(const ViewerOptions& options)
     addScan(scene, options.scan, directory);
   for (const auto& path : options.inputs)
     if (path != directory)
-      addFile(scene, path);
+      addCloud(
+          scene, std::filesystem::path(path).filename().string(), readScanFields(path));
   if (scene.title.empty())
     scene.title = std::filesystem::path(options.inputs.front()).filename().string();
   return scene;

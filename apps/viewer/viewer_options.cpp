@@ -5,6 +5,7 @@
 #include "../pointmill/option.h"
 
 #include <pointmill/common/error.h>
+#include <pointmill/viewer/add_cloud.h>
 
 #include <algorithm>
 #include <sstream>
@@ -126,13 +127,8 @@ void declare(CLI::App& app, ViewerOptions& o)
       ->type_name("FILE");
   optionalChoice(app, "--solid", o.solid, kSolids, "what stands in the middle");
   optionalChoice(app, "--paths", o.paths, kPaths, "which paths are shown");
-  choice<PathColouring>(
-      app,
-      "--colour-by",
-      [&o](PathColouring c) { o.look.colouring = c; },
-      kColourings,
-      "what the colours of paths tell")
-      ->default_str("operation");
+  optionalChoice(
+      app, "--colour-by", o.colouring, kColourings, "what the colours of paths tell");
   app.add_option("--level", o.level, "the level that is shown, 1 at the top")
       ->type_name("N")
       ->check(CLI::PositiveNumber);
@@ -191,13 +187,16 @@ std::vector<std::string> asLongOptions(int argc, char** argv)
 ViewerLook lookFor(const ViewerOptions& o, const ViewerScene& scene)
 {
   ViewerLook look = o.look;
+  const ViewerLook suited = lookFor(scene);
+  look.colouring = o.colouring ? *o.colouring : suited.colouring;
+  look.map = o.map || (suited.map && !scene.player);
+  look.level = suited.level;
   look.solid = o.solid        ? *o.solid
                : scene.player ? ViewedSolid::Stock
                               : ViewedSolid::Part;
   look.paths = o.paths        ? *o.paths
                : scene.player ? ViewedPaths::Trail
                               : ViewedPaths::All;
-  look.map = o.map || (scene.map && !scene.player && !scene.path);
   look.rapids = !o.no_rapids;
   look.tool = !o.no_tool;
   look.box = !o.no_box;

@@ -17,6 +17,7 @@ struct ViewerOptions {
   pointmill::ViewerLook look;
   std::optional<pointmill::ViewedSolid> solid;
   std::optional<pointmill::ViewedPaths> paths;
+  std::optional<pointmill::PathColouring> colouring;
   std::optional<std::size_t> level, finding; ///< counting from 1
   bool play = false, map = false;
   bool no_rapids = false, no_tool = false, no_box = false, no_texts = false,

@@ -13,7 +13,7 @@ set(may_link common surface)
 set(may_gcode common)
 set(may_verify common surface gcode)
 set(may_visual common slice verify)
-set(may_viewer common surface gcode visual)
+set(may_viewer common slice surface gcode verify visual)
 set(may_mill common io align slice surface rough finish link gcode verify visual)
 set(order common io align slice surface rough finish link gcode verify visual viewer mill)
 

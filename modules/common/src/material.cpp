@@ -2,8 +2,8 @@
 // Copyright (c) 2026, the PointMill authors
 #include <pointmill/common/error.h>
 #include <pointmill/common/material.h>
+#include <pointmill/common/nearest_name.h>
 
-#include <algorithm>
 #include <cctype>
 #include <sstream>
 
@@ -36,35 +36,13 @@ std::vector<std::string> namesOf(const WorkMaterial& material)
   return names;
 }
 
-/// Levenshtein's distance: letters to insert, drop or change to get from a to b.
-std::size_t editDistance(const std::string& a, const std::string& b)
+std::vector<std::string> allNames()
 {
-  std::vector<std::size_t> row(b.size() + 1);
-  for (std::size_t j = 0; j <= b.size(); ++j)
-    row[j] = j;
-  for (std::size_t i = 1; i <= a.size(); ++i) {
-    std::size_t diagonal = row[0];
-    row[0] = i;
-    for (std::size_t j = 1; j <= b.size(); ++j) {
-      const std::size_t change = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
-      diagonal = row[j];
-      row[j] = std::min({change, row[j] + 1, row[j - 1] + 1});
-    }
-  }
-  return row.back();
-}
-
-std::string nearestName(const std::string& wanted)
-{
-  std::string nearest;
-  std::size_t least = wanted.size() + 100;
+  std::vector<std::string> all;
   for (const auto& material : workMaterials())
     for (const auto& name : namesOf(material))
-      if (const std::size_t d = editDistance(wanted, name); d < least) {
-        least = d;
-        nearest = name;
-      }
-  return nearest;
+      all.push_back(name);
+  return all;
 }
 
 } // namespace
@@ -93,7 +71,7 @@ const WorkMaterial& workMaterial(const std::string& name)
       if (known == wanted)
         return material;
   throw ParameterError("unknown material '" + name + "', did you mean '" +
-                       nearestName(wanted) + "'?");
+                       nearestName(wanted, allNames()) + "'?");
 }
 
 const std::vector<WorkMaterial>& workMaterials()

@@ -3,11 +3,11 @@
 #include <pointmill/gcode/post.h>
 
 #include "built_in_posts.h"
-#include "nearest_name.h"
 #include "post_keys.h"
 #include "template_text.h"
 
 #include <pointmill/common/error.h>
+#include <pointmill/common/nearest_name.h>
 
 #include <algorithm>
 #include <sstream>

@@ -3,10 +3,10 @@
 // Posts from their descriptions in YAML.
 #include <pointmill/gcode/post.h>
 
-#include "nearest_name.h"
 #include "post_keys.h"
 
 #include <pointmill/common/error.h>
+#include <pointmill/common/nearest_name.h>
 
 #include <yaml-cpp/yaml.h>
 

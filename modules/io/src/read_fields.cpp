@@ -59,7 +59,8 @@ bool agrees(const pcl::PCLPointCloud2& read,
 } // namespace
 
 pcl::PCLPointCloud2::Ptr readFields(const std::string& path,
-                                    const std::vector<std::string>& needed)
+                                    const std::vector<std::string>& needed,
+                                    const std::string& maker)
 {
   readScan(path); // PCL's reader trusts any header
   const Quiet quiet;
@@ -67,10 +68,9 @@ pcl::PCLPointCloud2::Ptr readFields(const std::string& path,
   if (pcl::io::loadPCDFile(path, *cloud) != 0)
     throw DataError(path + ": is no PCD file");
   for (const auto& name : needed)
-    if (std::none_of(cloud->fields.begin(), cloud->fields.end(), [&](const auto& f) {
-          return f.name == name;
-        }))
-      throw DataError(path + ": has no field '" + name + "'");
+    if (pcl::getFieldIndex(*cloud, name) < 0)
+      throw DataError(path + ": has no field '" + name + "'" +
+                      (maker.empty() ? "" : "; " + maker + " writes such clouds"));
   return cloud;
 }
 

@@ -6,20 +6,31 @@
 #include <pointmill/io/write_file.h>
 #include <pointmill/mill/mill_job.h>
 #include <pointmill/slice/z_slices.h>
+#include <pointmill/surface/curvature.h>
+#include <pointmill/visual/curvature_picture.h>
 #include <pointmill/visual/deviation_picture.h>
+#include <pointmill/visual/gaps_picture.h>
+#include <pointmill/visual/heights_picture.h>
+#include <pointmill/visual/levels_picture.h>
 #include <pointmill/visual/occupancy_picture.h>
 #include <pointmill/visual/preview.h>
 
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <iterator>
+#include <map>
 #include <random>
+#include <set>
 
 namespace pointmill {
 namespace {
 
 namespace fs = std::filesystem;
+
+/// Of the map of the curvature: points of a fit, and cells.
+constexpr std::size_t kCurvaturePoints = 60, kCurvatureCells = 40000;
 
 /// A directory beside the real one that is gone when this is, whatever happens.
 class Staging {
@@ -75,6 +86,25 @@ std::vector<double> shownLevels(const MillJob& job)
   return shown;
 }
 
+/// The levels that the roughing cuts, from the top down; those to show without one.
+std::vector<double> cutLevels(const MillJob& job)
+{
+  std::set<double, std::greater<>> heights;
+  const auto& operations = job.operations();
+  if (!operations.empty() && operations.front().operation.name == "roughing") {
+    std::map<std::uint32_t, double> lowest;
+    for (const auto& p : operations.front().operation.path)
+      if (p.getMotion() == Motion::Cut) {
+        const auto known = lowest.emplace(p.level, p.z).first;
+        known->second = std::min<double>(known->second, p.z);
+      }
+    for (const auto& level : lowest)
+      heights.insert(level.second);
+  }
+  return heights.empty() ? shownLevels(job)
+                         : std::vector<double>(heights.begin(), heights.end());
+}
+
 PreviewScene sceneOf(const MillJob& job, const std::string& title)
 {
   PreviewScene scene;
@@ -108,7 +138,8 @@ PreviewScene sceneOf(const MillJob& job, const std::string& title)
 }
 
 /// What an earlier job may have left that this one need not have.
-const char* const kMayBeOld[] = {"occupancy_1.png",
+const char* const kMayBeOld[] = {"gaps.png",
+                                 "occupancy_1.png",
                                  "occupancy_2.png",
                                  "occupancy_3.png",
                                  "findings.png",
@@ -191,6 +222,18 @@ void MillJob::write(const std::string& directory)
       names.push_back("occupancy_" + std::to_string(++number) + ".png");
       writeOccupancy(in(names.back()), *map_, level);
     }
+    names.push_back("levels.png");
+    writeLevels(in("levels.png"), *map_, cutLevels(*this));
+    names.push_back("heights.png");
+    writeHeights(in("heights.png"), *map_, "heights of the part");
+    if (!gaps_.empty()) {
+      names.push_back("gaps.png");
+      writeGaps(in("gaps.png"), *map_, gaps_);
+    }
+    names.push_back("curvature.png");
+    const CurvatureMap bent = mapCurvature(
+        *surface_, *map_, kCurvaturePoints, kCurvatureCells, options_.threads);
+    writeCurvature(in("curvature.png"), bent.hollow, bent.ridge, tools());
     names.push_back("preview.png");
     writePreview(in("preview.png"), sceneOf(*this, scan_name_));
     names.push_back("deviation.png");

@@ -167,12 +167,27 @@ double Patch::height(double s, double t) const
   return c_[0] + u * (c_[1] + c_[3] * u + c_[4] * v) + v * (c_[2] + c_[5] * v);
 }
 
+Patch::Slopes Patch::slopes(double s, double t) const
+{
+  const double u = s / radius_, v = t / radius_, area = radius_ * radius_;
+  return {(c_[1] + 2 * c_[3] * u + c_[4] * v) / radius_,
+          (c_[2] + c_[4] * u + 2 * c_[5] * v) / radius_,
+          2 * c_[3] / area,
+          c_[4] / area,
+          2 * c_[5] / area};
+}
+
+double Patch::bendDeviation() const
+{
+  const double ss = solver_.solve(Terms::Unit(3))[3];
+  const double tt = solver_.solve(Terms::Unit(5))[5];
+  return 2 * residual_ * std::sqrt(std::max(ss, tt)) / (radius_ * radius_);
+}
+
 Vector3d Patch::normalAt(double s, double t) const
 {
-  const double u = s / radius_, v = t / radius_;
-  const double ws = (c_[1] + 2 * c_[3] * u + c_[4] * v) / radius_;
-  const double wt = (c_[2] + c_[4] * u + 2 * c_[5] * v) / radius_;
-  return (normal_ - ws * s_ - wt * t_).normalized();
+  const Slopes w = slopes(s, t);
+  return (normal_ - w.s * s_ - w.t * t_).normalized();
 }
 
 bool Patch::isBetween(const Neighbourhood& points, double s, double t) const

@@ -3,7 +3,7 @@
 #include "shapes.h"
 
 #include <pointmill/common/error.h>
-#include <pointmill/visual/colour.h>
+#include <pointmill/visual/occupancy_kind.h>
 
 #include <vtkImageData.h>
 #include <vtkNew.h>
@@ -13,19 +13,6 @@
 #include <vtkTexture.h>
 
 namespace pointmill::viewer {
-
-namespace {
-
-/// Red, yellow, blue-grey as in paper 001 and writeOccupancy(); nothing outside of the
-/// map.
-visual::Rgb colourOf(const PointCell& cell, double level_z)
-{
-  if (cell.getState() == CellState::Gap)
-    return cell.z <= level_z ? visual::kFree : visual::kProtected;
-  return cell.z > level_z ? visual::kOccupied : visual::kFree;
-}
-
-} // namespace
 
 vtkSmartPointer<vtkActor> levelSheet(const CellCloud& map, double level_z)
 {
@@ -38,7 +25,8 @@ vtkSmartPointer<vtkActor> levelSheet(const CellCloud& map, double level_z)
   for (int row = 0; row < rows; ++row) {
     auto* pixel = static_cast<unsigned char*>(image->GetScalarPointer(0, row, 0));
     for (int column = 0; column < columns; ++column) {
-      const visual::Rgb c = colourOf(map.at(column, row), level_z);
+      const visual::Rgb c =
+          visual::colourOf(visual::occupancyAt(map.at(column, row), level_z));
       *pixel++ = visual::toByte(c.r);
       *pixel++ = visual::toByte(c.g);
       *pixel++ = visual::toByte(c.b);

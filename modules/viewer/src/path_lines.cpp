@@ -104,6 +104,8 @@ vtkSmartPointer<vtkPolyData> feedLines(const ViewerScene& scene,
                                        const PathFilter& shown,
                                        double coarse)
 {
+  // Passes that nothing links yet are as many lines.
+  const bool linked = std::any_of(scene.path->begin(), scene.path->end(), isRapid);
   Strips strips;
   const PointCL* drawn = nullptr; // the strip's last point
   const PointCL* skipped = nullptr;
@@ -128,8 +130,9 @@ vtkSmartPointer<vtkPolyData> feedLines(const ViewerScene& scene,
                                      (colours.isGradual() || same(now, colour));
                 if (!goes_on) {
                   finish();
-                  strips.begin(before, now);
-                  drawn = &before;
+                  const bool leap = !linked && before.label != p.label;
+                  strips.begin(leap ? p : before, now);
+                  drawn = leap ? &p : &before;
                 }
                 colour = now;
                 in = operation;

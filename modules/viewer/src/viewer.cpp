@@ -2,6 +2,7 @@
 // Copyright (c) 2026, the PointMill authors
 #include <pointmill/viewer/viewer.h>
 
+#include "display.h"
 #include "levels.h"
 #include "offscreen_window.h"
 #include "playback.h"
@@ -36,7 +37,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cstdlib>
 
 namespace pointmill {
 
@@ -377,8 +377,8 @@ const std::string& Viewer::help()
 
 void Viewer::show(int width, int height, bool playing)
 {
-  if (!std::getenv("DISPLAY"))
-    throw Error("there is no display to open a window on; --screenshot needs none");
+  if (!hasDisplay())
+    throw Error("there is no display to open a window on; pictures need none");
   Window(*this, vtkSmartPointer<vtkRenderWindow>::New(), width, height).run(playing);
 }
 

@@ -31,21 +31,19 @@ CellSheet::CellSheet(const Grid& grid,
                      const std::string& title,
                      const ColourOf& colour_of,
                      int foot)
-    : foot_(foot),
+    : columns_(grid.columns()), rows_(grid.rows()), right_(grid.stepX() > 0),
+      up_(grid.stepY() > 0), foot_(foot),
       canvas_(std::max(Zoom(grid).size(grid.columns()) + 2 * kMargin, kNarrowest),
               kHead + Zoom(grid).size(grid.rows()) + foot,
               kPage)
 {
   const Zoom zoom(grid);
-  const int left = (canvas_.width() - zoom.size(grid.columns())) / 2;
+  px_ = zoom.px;
+  stride_ = zoom.stride;
+  left_ = (canvas_.width() - zoom.size(grid.columns())) / 2;
   for (int r = 0; r < grid.rows(); r += zoom.stride)
-    for (int c = 0; c < grid.columns(); c += zoom.stride) {
-      // Y runs up in the part and down in the picture.
-      const int column = (grid.stepX() > 0 ? c : grid.columns() - 1 - c) / zoom.stride;
-      const int row = (grid.stepY() > 0 ? grid.rows() - 1 - r : r) / zoom.stride;
-      canvas_.fill({left + column * zoom.px, kHead + row * zoom.px, zoom.px, zoom.px},
-                   colour_of(grid.cell(c, r)));
-    }
+    for (int c = 0; c < grid.columns(); c += zoom.stride)
+      canvas_.fill(place(c, r), colour_of(grid.cell(c, r)));
   drawText(canvas_, kMargin, kHead / 2, title, {30, true, kInk});
   drawScaleBar(canvas_,
                kMargin,
@@ -53,6 +51,14 @@ CellSheet::CellSheet(const Grid& grid,
                200,
                zoom.px / (std::abs(grid.stepX()) * zoom.stride),
                text());
+}
+
+Rect CellSheet::place(int column, int row) const
+{
+  // Y runs up in the part and down in the picture.
+  const int c = (right_ ? column : columns_ - 1 - column) / stride_;
+  const int r = (up_ ? rows_ - 1 - row : row) / stride_;
+  return {left_ + c * px_, kHead + r * px_, px_, px_};
 }
 
 } // namespace pointmill::visual

@@ -24,6 +24,9 @@ public:
             int foot = kFoot);
 
   Canvas& canvas() { return canvas_; }
+  /// @brief Where a cell is drawn; cells that were left out share their neighbour's
+  /// place.
+  Rect place(int column, int row) const;
   /// @brief Of the line under the cells, for a legend [px].
   int footMiddle() const { return canvas_.height() - foot_ + kFoot / 2; }
   int left() const { return kMargin; }
@@ -33,6 +36,9 @@ public:
 private:
   static constexpr int kMargin = 36, kHead = 84, kFoot = 72; // px
 
+  int columns_, rows_;
+  bool right_, up_; ///< which way columns and rows run in the part
+  int left_ = 0, px_ = 1, stride_ = 1;
   int foot_;
   Canvas canvas_;
 };

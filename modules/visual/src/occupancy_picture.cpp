@@ -6,6 +6,7 @@
 #include "ruler.h"
 #include "text.h"
 
+#include <pointmill/visual/occupancy_kind.h>
 #include <pointmill/visual/occupancy_picture.h>
 
 #include <array>
@@ -13,31 +14,18 @@
 
 namespace pointmill {
 
-namespace {
-
 using namespace visual;
-
-enum Kind { Free, Occupied, Protected };
-
-Kind kindOf(const PointCell& cell, double level_z)
-{
-  if (cell.getState() == CellState::Gap)
-    return cell.z <= level_z ? Free : Protected; // NaN: unknown, protected
-  return cell.z > level_z ? Occupied : Free;
-}
-
-} // namespace
 
 void writeOccupancy(const std::string& path, const CellCloud& map, double level_z)
 {
   const Grid grid(map, "the occupancy map");
-  constexpr Rgb colours[] = {kFree, kOccupied, kProtected};
+  using Kind = OccupancyKind;
   std::array<std::size_t, 3> count{};
   for (const PointCell& cell : map)
-    ++count[kindOf(cell, level_z)];
+    ++count[static_cast<std::size_t>(occupancyAt(cell, level_z))];
   CellSheet sheet(
       grid, "occupancy at z = " + number(level_z) + " mm", [&](const PointCell& cell) {
-        return colours[kindOf(cell, level_z)];
+        return colourOf(occupancyAt(cell, level_z));
       });
 
   Canvas& canvas = sheet.canvas();
@@ -45,16 +33,17 @@ void writeOccupancy(const std::string& path, const CellCloud& map, double level_
   const int foot = sheet.footMiddle();
   const char* const names[] = {"free", "part", "gap, protected"};
   const auto total = static_cast<double>(map.size());
-  int x = sheet.right();
-  for (const Kind kind : {Protected, Free, Occupied}) { // from the right
+  int x = sheet.right(); // and on to the left
+  for (const Kind kind : {Kind::Protected, Kind::Free, Kind::Occupied}) {
+    const auto k = static_cast<std::size_t>(kind);
     const std::string label =
-        std::string(names[kind]) + " " +
-        number(std::round(1000.0 * static_cast<double>(count[kind]) / total) / 10.0) +
+        std::string(names[k]) + " " +
+        number(std::round(1000.0 * static_cast<double>(count[k]) / total) / 10.0) +
         " %";
     x -= textWidth(label, text);
     drawText(canvas, x, foot, label, text);
     x -= 30;
-    canvas.fillRound({x, foot - 10, 20, 20}, 4.f, colours[kind]);
+    canvas.fillRound({x, foot - 10, 20, 20}, 4.f, colourOf(kind));
     x -= 28;
   }
   writePng(path, canvas);

@@ -12,9 +12,12 @@
 namespace pointmill {
 
 /// @brief A PCD file with all its fields, whatever they are.
-/// @throws DataError where it is none, or lacks one of @p needed
+/// @param maker what writes such clouds, for the message
+/// @throws DataError where it is none, or lacks one of @p needed, which PCL's reader
+/// would leave undefined
 pcl::PCLPointCloud2::Ptr readFields(const std::string& path,
-                                    const std::vector<std::string>& needed = {});
+                                    const std::vector<std::string>& needed = {},
+                                    const std::string& maker = "");
 
 /// @brief A scan with what PCL's reader finds in its file beside x, y and z; for other
 /// formats than PCD and PLY, and where that reader is wrong about the places, these
@@ -23,17 +26,17 @@ pcl::PCLPointCloud2::Ptr readFields(const std::string& path,
 pcl::PCLPointCloud2::Ptr readScanFields(const std::string& path);
 
 /// @brief The cloud of PointT in a PCD file, as writeCloud() writes it.
-/// @throws DataError where it lacks one of PointT's fields, which PCL's reader would
-/// leave undefined
+/// @throws DataError, see readFields()
 template <typename PointT>
-typename pcl::PointCloud<PointT>::Ptr readPoints(const std::string& path)
+typename pcl::PointCloud<PointT>::Ptr readPoints(const std::string& path,
+                                                 const std::string& maker = "")
 {
   std::vector<std::string> needed;
   for (const auto& field : pcl::getFields<PointT>())
     if (field.name != "_") // what only fills up
       needed.push_back(field.name);
   typename pcl::PointCloud<PointT>::Ptr cloud(new pcl::PointCloud<PointT>);
-  pcl::fromPCLPointCloud2(*readFields(path, needed), *cloud);
+  pcl::fromPCLPointCloud2(*readFields(path, needed, maker), *cloud);
   return cloud;
 }
 

@@ -67,6 +67,15 @@ public:
   /// @brief Distance of the patch from its plane over (s, t) [mm].
   double height(double s, double t) const;
 
+  /// @brief First and second derivatives of the height by s and t.
+  struct Slopes {
+    double s, t, ss, st, tt;
+  };
+  Slopes slopes(double s, double t) const;
+  /// @brief Standard deviation of the second derivatives `ss` and `tt` [1/mm], the
+  /// larger, as the residual tells the points' noise.
+  double bendDeviation() const;
+
   const Eigen::Vector3d& origin() const { return origin_; }
   const Eigen::Vector3d& normal() const { return normal_; }
   const Eigen::Vector3d& tangentS() const { return s_; }

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-namespace pointmill::gcode {
+namespace pointmill {
 
 /// @brief Characters to insert, remove or replace between both (Levenshtein).
 inline std::size_t editDistance(const std::string& a, const std::string& b)
@@ -37,4 +37,4 @@ inline const std::string& nearestName(const std::string& name,
       });
 }
 
-} // namespace pointmill::gcode
+} // namespace pointmill

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the PointMill authors
+#pragma once
+
+#include <pointmill/common/point_types.h>
+#include <pointmill/io/read_fields.h>
+#include <pointmill/surface/point_index.h>
+
+#include <pcl/point_cloud.h>
+#include <pcl/point_types.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+/// @brief The points of a cloud or mesh in any supported format, where they are, in mm.
+/// @throws DataError
+pcl::PointCloud<pcl::PointXYZ>::Ptr readPart(const std::string& path);
+
+/// @brief The index of all of its points.
+std::shared_ptr<const pointmill::PointIndex>
+indexOf(const pcl::PointCloud<pcl::PointXYZ>& part);
+
+/// @brief Whether a cloud has all of @p fields.
+bool hasFields(const std::string& path, const std::vector<std::string>& fields);
+
+/// @brief Whether it is an occupancy map, as pm_occupancy writes it.
+inline bool isMap(const std::string& path)
+{
+  return hasFields(path, {"label", "count"});
+}
+
+/// @brief A map with no NaN, which pcl_viewer cannot show beside a place: its empty
+/// cells lie at its lowest height.
+pointmill::CellCloud withoutNan(const pointmill::CellCloud& map);
+
+/// @brief A map as pm_occupancy writes it, with NaN in its empty cells again.
+pointmill::CellCloud::Ptr readMap(const std::string& path);

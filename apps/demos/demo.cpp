@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the PointMill authors
+#include "demo.h"
+
+#include <pointmill/common/error.h>
+#include <pointmill/common/nearest_name.h>
+#include <pointmill/viewer/add_cloud.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <iostream>
+
+using namespace pointmill;
+
+namespace {
+
+std::string text(double value)
+{
+  char buffer[32];
+  std::snprintf(buffer, sizeof buffer, "%.6g", value);
+  return buffer;
+}
+
+/// "cell_size" is --cell-size.
+std::string optionOf(std::string parameter)
+{
+  std::replace(parameter.begin(), parameter.end(), '_', '-');
+  return "--" + parameter;
+}
+
+} // namespace
+
+Demo::Demo(const std::string& name, const std::string& what, const std::string& example)
+    : name_(name), app_(what, name)
+{
+  app_.footer("Example:\n  " + name + " " + example);
+  app_.get_formatter()->column_width(36);
+  const char* const group = "Showing";
+  app_.add_flag("-q,--quiet", quiet_, "print nothing but errors");
+  app_.add_flag("--show", window_, "in a window with pcl_viewer's keys")->group(group);
+  app_.add_option("--png", png_, "save a picture of the result")
+      ->type_name("FILE")
+      ->group(group);
+  app_.add_option("--ps", point_size_, "size of the points, also -ps")
+      ->type_name("PX")
+      ->check(CLI::Range(1.0, 64.0))
+      ->capture_default_str()
+      ->group(group);
+  app_.add_option("--bc", background_, "colour of the background, also -bc")
+      ->type_name("R,G,B")
+      ->delimiter(',')
+      ->expected(3)
+      ->check(CLI::Range(0.0, 255.0))
+      ->default_str("255,255,255")
+      ->group(group);
+  app_.add_option("--ax", axes_, "show the axes, so long, also -ax")
+      ->type_name("MM")
+      ->check(CLI::Range(0.0, 1e5))
+      ->group(group);
+}
+
+void Demo::input(const std::string& name, std::string& path, const std::string& help)
+{
+  app_.add_option(name, path, help)->required();
+}
+
+void Demo::output(const std::string& name, const std::string& help)
+{
+  app_.add_option(name, output_, help + "; may be left out with --show or --png");
+}
+
+void Demo::declare(const std::string& stage,
+                   const ParameterValue& parameter,
+                   bool whole,
+                   Setter setter)
+{
+  const std::string option = optionOf(parameter.name);
+  const auto set = std::move(setter.set);
+  setter.set = [=](double value) {
+    checkRange(stage, option, value, parameter.unit, parameter.range);
+    if (whole && value != std::floor(value))
+      throw ParameterError(stage + ": " + option + " is " + text(value) +
+                           "; it must be a whole number");
+    set(value);
+  };
+  auto& setters = setters_[option];
+  setters.push_back(std::move(setter));
+  if (setters.size() > 1)
+    return;
+  app_.add_option_function<double>(
+          option,
+          [&setters](double value) {
+            for (const Setter& s : setters)
+              s.set(value);
+          },
+          parameter.meaning + ", " + text(parameter.range.low) + " .. " +
+              text(parameter.range.high))
+      ->type_name(parameter.unit.empty() ? "N" : parameter.unit)
+      ->default_str(std::isnan(parameter.value) ? "" : text(parameter.value))
+      ->group("Parameters of " + stage);
+}
+
+std::vector<std::string> Demo::arguments(int argc, char** argv) const
+{
+  std::vector<std::string> given(argv + 1, argv + argc), known;
+  for (const CLI::Option* option : app_.get_options())
+    for (const std::string& name : option->get_lnames())
+      known.push_back("--" + name);
+  const auto isKnown = [&](const std::string& name) {
+    return std::find(known.begin(), known.end(), name) != known.end();
+  };
+  for (std::string& word : given) {
+    if (word.size() < 3 || word[0] != '-')
+      continue;
+    if (isKnown("-" + word)) // PCL's tools spell -ps with one dash
+      word = "-" + word;
+    const std::string name = word.substr(0, word.find('='));
+    if (name.compare(0, 2, "--") == 0 && !isKnown(name))
+      throw ParameterError("unknown option " + name + "; did you mean " +
+                           nearestName(name, known) + "?");
+  }
+  std::reverse(given.begin(), given.end()); // as CLI11 wants them
+  return given;
+}
+
+void Demo::use(const std::vector<std::string>& chosen) const
+{
+  std::string names;
+  for (const std::string& name : chosen)
+    names += (names.empty() ? "" : " and ") + name;
+  for (const auto& [option, setters] : setters_) {
+    const bool befits =
+        std::any_of(setters.begin(), setters.end(), [&](const Setter& s) {
+          return s.only.empty() ||
+                 std::find(chosen.begin(), chosen.end(), s.only) != chosen.end();
+        });
+    if (!befits && has(option))
+      throw ParameterError(option + " does not befit " + names);
+  }
+}
+
+int Demo::run(int argc, char** argv, const std::function<void()>& body)
+{
+  const auto fail = [&](const std::string& why, int code) {
+    std::cerr << name_ << ": " << why << '\n';
+    return code;
+  };
+  const std::string help = " (" + name_ + " --help)";
+  try {
+    app_.parse(arguments(argc, argv));
+    if (output_.empty() && png_.empty() && !window_)
+      throw ParameterError("name a file for the result, or --show or --png");
+    body();
+  }
+  catch (const CLI::ParseError& e) {
+    return e.get_exit_code() == 0 ? app_.exit(e) : fail(e.what() + help, 1);
+  }
+  catch (const VerificationError& e) {
+    return fail(e.what(), 3);
+  }
+  catch (const ParameterError& e) {
+    return fail(e.what() + help, 1);
+  }
+  catch (const std::exception& e) {
+    return fail(e.what(), 2);
+  }
+  return 0;
+}
+
+void Demo::print(const std::string& figure, const std::string& value) const
+{
+  if (!quiet_)
+    std::cout << "  " << figure << ' ' << value << '\n';
+}
+
+void Demo::printRun(std::size_t in, std::size_t out, double seconds) const
+{
+  if (!quiet_)
+    std::cout << name_ << ": " << in << " points in, " << out << " points out, "
+              << text(std::round(1000 * seconds) / 1000) << " s\n";
+}
+
+void Demo::printReport(const Report& report) const
+{
+  for (const auto& [figure, value] : report.figures())
+    print(figure, text(value));
+}
+
+void Demo::showFields(const pcl::PCLPointCloud2& cloud)
+{
+  const std::string file = std::filesystem::path(output_).filename().string();
+  ViewerScene scene;
+  scene.title = name_ + (file.empty() ? "" : " - " + file);
+  addCloud(
+      scene, scene.title, pcl::PCLPointCloud2::Ptr(new pcl::PCLPointCloud2(cloud)));
+  ViewerLook look = lookFor(scene);
+  look.point_size = point_size_;
+  look.axes = axes_;
+  look.background = {background_[0] / 255, background_[1] / 255, background_[2] / 255};
+  Viewer viewer(std::move(scene), look);
+  constexpr int width = 1200, height = 900;
+  if (!png_.empty())
+    viewer.screenshot(png_, width, height);
+  if (window_)
+    viewer.show(width, height);
+}

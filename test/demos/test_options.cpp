@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the PointMill authors
+#include "demo_test.h"
+
+#include <pointmill/align/z_alignment.h>
+#include <pointmill/finish/buffer_points.h>
+#include <pointmill/finish/cl_surface.h>
+#include <pointmill/gcode/gcode_writer.h>
+#include <pointmill/link/link_passes.h>
+#include <pointmill/rough/high_speed_roughing.h>
+#include <pointmill/rough/offset_roughing.h>
+#include <pointmill/rough/waterline_roughing.h>
+#include <pointmill/slice/occupancy_map.h>
+#include <pointmill/slice/point_recovery.h>
+#include <pointmill/verify/program_verifier.h>
+
+#include <algorithm>
+#include <cstdlib>
+
+using namespace demo_test;
+using namespace pointmill;
+
+namespace {
+
+using P = pcl::PointXYZ;
+
+class DemoOptions : public Programs {
+protected:
+  template <typename StageT>
+  void expectOptions(const std::string& program, const StageT& stage) const
+  {
+    const Outcome help = run(program + " --help");
+    EXPECT_EQ(help.code, 0);
+    for (const auto& p : listParameters(stage)) {
+      std::string option = "--" + p.name + " ";
+      std::replace(option.begin(), option.end(), '_', '-');
+      EXPECT_NE(help.text.find(option), std::string::npos)
+          << program << " lacks " << option;
+    }
+  }
+};
+
+} // namespace
+
+TEST_F(DemoOptions, EveryParameterOfAStageIsOne)
+{
+  expectOptions("pm_align", ZAlignment<P>());
+  expectOptions("pm_slices", PointRecovery<P>());
+  expectOptions("pm_occupancy", OccupancyMap<P>());
+  expectOptions("pm_rough", OffsetRoughing());
+  expectOptions("pm_rough", HighSpeedRoughing());
+  expectOptions("pm_rough", WaterlineRoughing());
+  expectOptions("pm_rough", OccupancyMap<P>());
+  expectOptions("pm_cl_surface", CLSurface<P>());
+  expectOptions("pm_buffer_points", BufferPoints<P>());
+  expectOptions("pm_gcode", GCodeWriter());
+  expectOptions("pm_gcode", LinkPasses());
+  expectOptions("pm_gcode", ProgramVerifier());
+}
+
+TEST_F(DemoOptions, HelpSaysWhatTheStageIsWithAnExample)
+{
+  for (const char* program : {"pm_align",
+                              "pm_slices",
+                              "pm_occupancy",
+                              "pm_rough",
+                              "pm_cl_surface",
+                              "pm_buffer_points",
+                              "pm_gcode"}) {
+    const Outcome help = run(std::string(program) + " -h");
+    EXPECT_EQ(help.code, 0);
+    EXPECT_NE(help.text.find("Example:\n  " + std::string(program)), std::string::npos);
+    EXPECT_NE(help.text.find("-ps"), std::string::npos);
+  }
+}
+
+TEST_F(DemoOptions, WhatIsWrongIsNamed)
+{
+  const std::string dome = " " POINTMILL_DATA "/dome.pcd ";
+  bad(1, "did you mean --cell-size?", "pm_occupancy" + dome + "out.pcd --cell-sise 1");
+  bad(1, "did you mean --up?", "pm_align" + dome + "out.pcd --upp=z");
+  bad(1, "0.01 .. 50 mm", "pm_occupancy" + dome + "out.pcd --cell-size 60");
+  bad(1, "whole number", "pm_align" + dome + "out.pcd --plane-iterations 10.5");
+  bad(1, "--cell-size", "pm_occupancy" + dome + "out.pcd --cell-size wide");
+  bad(1, "bridge|keep|mill", "pm_occupancy" + dome + "out.pcd --gaps fill");
+  bad(1, "offset", "pm_rough" + dome + "out.pcd --strategy round");
+  bad(1,
+      "--ramp-angle does not befit zigzag",
+      "pm_rough" + dome + "out.pcd --strategy zigzag --ramp-angle 2");
+  bad(1, "--png", "pm_occupancy" + dome);
+  bad(2, "no/such.pcd", "pm_occupancy no/such.pcd out.pcd");
+  bad(2,
+      "no field 'normal_x'",
+      "pm_gcode" + dome +
+          "out.pcd --unverified --stock-top 0 --tool-type flat "
+          "--tool-diameter 10");
+}
+
+TEST_F(DemoOptions, LongOnesMayHaveOneDash)
+{
+  good("pm_occupancy " POINTMILL_DATA "/dome.pcd a.pcd -cell-size 2");
+  good("pm_occupancy " POINTMILL_DATA "/dome.pcd b.pcd --cell-size=2");
+  EXPECT_EQ(read("a.pcd"), read("b.pcd"));
+}
+
+TEST_F(DemoOptions, AnAxisMayBeNegative)
+{
+  good("pm_align " POINTMILL_DATA "/dome.pcd a.pcd --up -z");
+  good("pm_align " POINTMILL_DATA "/dome.pcd b.pcd --up=-z");
+  EXPECT_EQ(read("a.pcd"), read("b.pcd"));
+}
+
+TEST_F(DemoOptions, WithoutADisplayAViewIsRefused)
+{
+  unsetenv("DISPLAY");
+  bad(2, "no display", "pm_align " POINTMILL_DATA "/dome.pcd --png view", "view");
+}

@@ -1,0 +1,15 @@
+# A demo shows one stage: under 60 lines.
+cmake_minimum_required(VERSION 3.22)
+
+file(GLOB demos ${ROOT}/apps/demos/pm_*.cpp)
+foreach(demo ${demos})
+  file(READ ${demo} text)
+  string(REGEX MATCHALL "\n" lines "${text}")
+  list(LENGTH lines count)
+  if(count GREATER 59)
+    message(SEND_ERROR "${demo} has ${count} lines")
+  endif()
+endforeach()
+if(NOT demos)
+  message(SEND_ERROR "there are no demos")
+endif()
