@@ -13,7 +13,7 @@ set -euo pipefail
 packages_of() {
   case $1 in
     build) echo g++ cmake ninja-build ccache libpcl-dev libcli11-dev nlohmann-json3-dev \
-                libyaml-cpp-dev ;;
+                libyaml-cpp-dev libjs-three ;;
     test)  echo libgtest-dev linuxcnc-uspace ;; # for its interpreter, rs274
     check) echo clang-format-14 ;;
     tidy)  echo clang clang-tidy ;;

@@ -141,7 +141,7 @@ endif()
 run(3 "verification.*residual.*refused.png" mill ${DATA}/dome.pcd -o refused
     --finish-allowance 0.3 --residual-limit 0.05)
 file(GLOB written RELATIVE ${WORK}/refused ${WORK}/refused/*)
-if(NOT written STREQUAL "refused.json;refused.png")
+if(NOT written STREQUAL "refused.html;refused.json;refused.png")
   message(SEND_ERROR "a refused job wrote ${written}")
 endif()
 

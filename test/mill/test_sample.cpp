@@ -81,6 +81,7 @@ TEST_F(Sample, AllFilesAreWrittenAndNothingElse)
                                       "part.pcd",
                                       "preview.png",
                                       "program.ngc",
+                                      "report.html",
                                       "report.json"}));
   EXPECT_EQ(contents(file("program.ngc")), job().programs().front().text);
   for (const char* picture : {"preview.png", "occupancy_2.png"})
