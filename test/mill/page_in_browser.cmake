@@ -22,7 +22,7 @@ function(browse page result)
             --disable-background-networking --disable-component-update
             --user-data-dir=${WORK}/profile --window-size=1280,1000
             --use-gl=angle --use-angle=swiftshader --enable-unsafe-swiftshader
-            --enable-logging=stderr --virtual-time-budget=20000 ${ARGN}
+            --enable-logging=stderr ${ARGN}
             --dump-dom file://${page}
     RESULT_VARIABLE status
     OUTPUT_VARIABLE document

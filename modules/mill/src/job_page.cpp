@@ -67,8 +67,10 @@ public:
     page.title = scan_ + (written_ ? " - report" : " - refused");
     page.body = head() + mind();
     page.body +=
-        section("view-3d", "Part and tool paths", viewPlace(take("preview.png")));
-    page.body += section("set-up", "Set-up sheet", setupSheet(job_));
+        section("view-3d", "Part and tool paths", viewPlace() + take("preview.png"));
+    page.body += section("set-up",
+                         written_ ? "Set-up sheet" : "Set-up sheet, as planned",
+                         setupSheet(job_, written_));
     page.body += section("operations", "Operations", operations());
     page.body +=
         section("accuracy",
@@ -117,16 +119,16 @@ private:
       html += verdictOf(verification());
     const Eigen::Vector3d size = job_.partSize();
     auto figures = figuresOf(job_.judgement(), job_.criteria());
-    figures.insert(
-        figures.begin(),
-        {print("%.1f x %.1f x %.1f", size.x(), size.y(), size.z()), "mm, the part"});
+    figures.insert(figures.begin(),
+                   {print("%.1f \u00d7 %.1f \u00d7 %.1f", size.x(), size.y(), size.z()),
+                    "mm, the part"});
     const auto gaps = static_cast<std::size_t>(
         std::count_if(job_.gaps().begin(), job_.gaps().end(), [](const GapRegion& g) {
           return g.kind == GapKind::NotScanned;
         }));
     figures.emplace_back(
-        gaps == 0 ? "none" : print("%.1f mm\u00b2", job_.gapArea()),
-        gaps == 0 ? "of the part was not scanned"
+        print("%.1f mm\u00b2", job_.gapArea()),
+        gaps == 0 ? "not scanned: no gaps"
                   : print("not scanned, %zu %s, ", gaps, gaps == 1 ? "gap" : "gaps") +
                         treatment());
     return element("header", html + tiles(figures));

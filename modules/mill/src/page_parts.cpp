@@ -181,13 +181,13 @@ Html accuracy(const Judgement& judgement, const Criteria& criteria)
       row("deviation of the points in reach, milled minus scan", v.deviation)};
   if (criteria.model)
     quantiles.push_back(row("the same of the points as scanned", v.raw_deviation));
-  std::vector<std::vector<Html>> counts{{"cut too deep by more than the tolerance",
+  std::vector<std::vector<Html>> counts{{"milled lower than the tolerance allows",
                                          std::to_string(shares.below),
                                          percent(shares.below, shares.cut)},
                                         {print("within \u00b1%.3g mm", tolerance),
                                          std::to_string(shares.within),
                                          percent(shares.within, shares.cut)},
-                                        {"more than the tolerance left",
+                                        {"milled higher: material is left",
                                          std::to_string(shares.over),
                                          percent(shares.over, shares.cut)}};
   return table("How near the milled part comes to the scan [mm]",
@@ -203,10 +203,18 @@ Html accuracy(const Judgement& judgement, const Criteria& criteria)
          table("Points that a tool came to, as scanned",
                {{"", false, ""}, {"points", true, ""}, {"share", true, ""}},
                counts) +
-         element("p",
-                 print("No tool came to %zu of all %zu points.",
-                       shares.points - shares.cut,
-                       shares.points));
+         element(
+             "p",
+             print("No tool came to %zu of all %zu points. ",
+                   shares.points - shares.cut,
+                   shares.points) +
+                 "Distances here are vertical, which on walls is far more than the "
+                 "distance from the wall" +
+                 (criteria.model ? "; they are those of the points as scanned, noise "
+                                   "included"
+                                 : "") +
+                 ". What refuses a program is the gouge: how deep a point gets into "
+                 "a tool.");
 }
 
 Html timeBar(double minutes, double whole, const std::string& colour)

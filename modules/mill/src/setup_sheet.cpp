@@ -31,7 +31,10 @@ Html stockText(const MillJob& job)
 {
   const Stock& s = job.stock();
   const Eigen::Vector3d size = s.max - s.min;
-  return print("%.3f x %.3f x %.3f mm (X x Y x Z)", size.x(), size.y(), size.z()) +
+  return print("%.3f \u00d7 %.3f \u00d7 %.3f mm (X \u00d7 Y \u00d7 Z)",
+               size.x(),
+               size.y(),
+               size.z()) +
          std::string(job.options().stock_scan.empty()
                          ? ""
                          : ", the box round the raw part, which was scanned");
@@ -164,7 +167,7 @@ Html cuttingTable(const MillJob& job)
 
 } // namespace
 
-Html setupSheet(const MillJob& job)
+Html setupSheet(const MillJob& job, bool written)
 {
   const Stock& s = job.stock();
   const GCodeWriter& writer = job.options().writer;
@@ -202,7 +205,7 @@ Html setupSheet(const MillJob& job)
   Html programs;
   for (const auto& program : job.programs())
     programs += element("div", element("code", program.name));
-  list.emplace_back("Program", programs);
+  list.emplace_back("Program", written ? programs : Html("none was written"));
   list.emplace_back("Control",
                     writer.getPost().control + (writer.getUnit() == Unit::Inch
                                                     ? ", program in inches (this sheet "

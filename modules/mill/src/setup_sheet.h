@@ -9,6 +9,7 @@ namespace pointmill::page {
 
 /// @brief What the one who sets up the machine needs: the stock and how it lies, the
 /// datum, heights, clamps, tools and cutting data.
-Html setupSheet(const MillJob& job);
+/// @param written whether there is a program
+Html setupSheet(const MillJob& job, bool written);
 
 } // namespace pointmill::page

@@ -118,13 +118,30 @@
     const whole = (c, r) => c >= 0 && r >= 0 && c + 1 < columns && r + 1 < rows &&
       !Number.isNaN(z(c, r) + z(c + 1, r) + z(c, r + 1) + z(c + 1, r + 1));
 
+    // Where the ground falls to around a quad, seen over a few cells: the staircase of the
+    // cells alone would make round walls flicker.
+    function fall(c, r) {
+      let fx = 0, fy = 0;
+      const here = z(c, r);
+      for (let j = -2; j <= 3; ++j)
+        for (let i = -2; i <= 3; ++i) {
+          const rise = z(c + i, r + j) - here;
+          if (!Number.isNaN(rise)) {
+            fx -= rise * (i - 0.5);
+            fy -= rise * (j - 0.5);
+          }
+        }
+      return [fx, fy];
+    }
+
     function quad(c, r) {
       const corners = [[c, r], [c + 1, r], [c + 1, r + 1], [c, r + 1]];
       const h = corners.map((p) => z(p[0], p[1]));
       let v;
-      if (Math.max(...h) - Math.min(...h) > STEEP * cell) {
-        const n = unit((h[0] + h[3] - h[1] - h[2]) / (2 * cell),
-                       (h[0] + h[1] - h[2] - h[3]) / (2 * cell), 1);
+      const steep = (Math.max(...h) - Math.min(...h)) / cell;
+      if (steep > STEEP) {
+        const [fx, fy] = fall(c, r), length = Math.hypot(fx, fy) || 1;
+        const n = unit(steep * fx / length, steep * fy / length, 1);
         v = corners.map((p, k) =>
           vertex(x(p[0]), y(p[1]), h[k], n, colourAt(p[1] * columns + p[0])));
       }
@@ -291,9 +308,10 @@
     return input;
   }
 
+  // As the page's own times: begun minutes are counted.
   function clock(seconds) {
-    const minutes = Math.floor(seconds / 60);
-    return Math.floor(minutes / 60) + ':' + String(minutes % 60).padStart(2, '0') + ' h';
+    const minutes = Math.ceil(seconds / 60), hours = Math.floor(minutes / 60);
+    return (hours > 0 ? hours + '\u00a0h\u00a0' + String(minutes % 60).padStart(2, '0') : minutes) + '\u00a0min';
   }
 
   // ------------------------------------------------------------------------------ the view
@@ -309,12 +327,11 @@
       return;
     }
     byId('view').hidden = false;
-    byId('instead-of-view').style.display = 'none';
     place.append(canvas);
 
     const min = scene.min, max = scene.max;
     const size = max.map((m, i) => m - min[i]);
-    const diagonal = Math.hypot(...size);
+    const diagonal = Math.hypot(...size), axis = diagonal / 9;
     const middle = new THREE.Vector3(...max.map((m, i) => (m + min[i]) / 2));
 
     const renderer = new THREE.WebGLRenderer({ canvas: canvas, context: context, antialias: true });
@@ -330,6 +347,7 @@
     camera.add(sun);
     camera.add(sun.target);
 
+    // Once for all that changes before the next picture is shown.
     let waiting = false;
     function draw() {
       if (waiting)
@@ -338,7 +356,6 @@
       window.requestAnimationFrame(() => {
         waiting = false;
         renderer.render(world, camera);
-        root.dataset.view = 'ready';
       });
     }
 
@@ -372,14 +389,17 @@
       camera.lookAt(middle);
       camera.updateMatrixWorld();
       const inverse = new THREE.Matrix4().getInverse(camera.matrixWorld);
+      const seen = [];
+      for (let i = 0; i < 8; ++i)
+        seen.push(new THREE.Vector3(i & 1 ? max[0] : min[0], i & 2 ? max[1] : min[1], i & 4 ? max[2] : min[2]));
+      for (let i = 0; i < 3; ++i) // the letters of the axes
+        seen.push(new THREE.Vector3().setComponent(i, 1.35 * axis));
       let most = 1e-9;
-      for (let i = 0; i < 8; ++i) {
-        const corner = new THREE.Vector3(i & 1 ? max[0] : min[0], i & 2 ? max[1] : min[1],
-                                         i & 4 ? Math.max(max[2], scene.clearance) : min[2]);
+      for (const corner of seen) {
         corner.applyMatrix4(inverse);
         most = Math.max(most, Math.abs(corner.x) / camera.right, Math.abs(corner.y) / camera.top);
       }
-      return 0.93 / most;
+      return 0.95 / most;
     }
     function look(name) {
       const direction = looks[name] || looks.iso;
@@ -468,7 +488,7 @@
       return input;
     }
     thing('stock', 'stock', boxLines(min, max, 0x55606c), true);
-    thing('datum', 'datum and axes', datumOf(diagonal / 7), true);
+    thing('datum', 'datum and axes', datumOf(axis), true);
     thing('plane', 'clearance plane', rectangleAt(min, max, scene.clearance, 0x56b4e9, 0.25), false);
     if (scene.zones.length > 0) {
       const zones = new THREE.Group();
@@ -607,6 +627,8 @@
     look('iso');
     showSurface(first);
     showPaths();
+    renderer.render(world, camera);
+    root.dataset.view = 'ready';
   }
 
   start();

@@ -43,10 +43,9 @@ void writeView(std::ostream& out, const std::string& scene)
 
 } // namespace
 
-Html viewPlace(const Html& instead)
+Html viewPlace()
 {
-  return Html::markup(std::string(resources::view)) +
-         element("div id=\"instead-of-view\"", instead);
+  return Html::markup(std::string(resources::view));
 }
 
 void writePage(std::ostream& out, const Page& page)

@@ -4,6 +4,7 @@
 #include "view_field.h"
 
 #include <pointmill/page/setup_sketch.h>
+#include <pointmill/visual/palette.h>
 
 #include <Eigen/Geometry>
 
@@ -20,9 +21,11 @@ using svg::text;
 
 /// All sizes in units of the SVG, of which the page is about 760 wide.
 constexpr double kLeft = 84, kRight = 236, kTop = 64, kWide = 440, kHigh = 400;
-constexpr double kBetween = 84; ///< the views, with the dimension of the width
-constexpr double kLabel = 19;   ///< from one label to the next
-constexpr int kCells = 160;     ///< of the part's outline
+constexpr double kBetween = 106; ///< the views, with the dimension of the width
+constexpr double kLabel = 19;    ///< from one label to the next
+constexpr double kNarrow = 62;   ///< dimensions have their length beside them
+constexpr int kBands = 10;       ///< of heights
+constexpr int kCells = 160;      ///< of the part's outline
 
 std::string length(double value)
 {
@@ -102,7 +105,7 @@ private:
                   y1 - y0);
   }
 
-  /// The part's outline from above and from the front.
+  /// The part from above, in bands of its height, and its outline from the front.
   void outline()
   {
     if (!scene_.part)
@@ -114,44 +117,58 @@ private:
         high,
         std::max((high - low).maxCoeff() / kCells, CellGrid::of(*scene_.part).cell));
     const FieldValues heights = heightsAt(grid, *scene_.part);
-    std::vector<float> profile(static_cast<std::size_t>(grid.columns),
-                               static_cast<float>(scene_.part_min.z()));
-    const double half = grid.cell / 2, over = 0.3; // lest seams show between rows
+    const double floor = scene_.part_min.z();
+    const double band = std::max(scene_.part_max.z() - floor, 1e-6) / kBands;
+    const auto bandOf = [&](int c, int r) {
+      const float z = heights[grid.index(c, r)];
+      return std::isfinite(z)
+                 ? std::clamp(static_cast<int>((z - floor) / band), 0, kBands - 1)
+                 : -1;
+    };
+    std::vector<std::string> bands(kBands);
+    std::vector<double> profile(static_cast<std::size_t>(grid.columns), floor);
+    const auto left = [&](int c) { return x(grid.x0 + c * grid.cell); };
+    const auto right = [&](int c) { // the last column may reach over the part
+      return x(std::min(grid.x0 + c * grid.cell, high.x()));
+    };
     for (int r = 0; r < grid.rows; ++r) {
-      int begin = -1;
-      for (int c = 0; c <= grid.columns; ++c) {
-        const bool part = c < grid.columns && std::isfinite(heights[grid.index(c, r)]);
-        if (part) {
-          auto& top = profile[static_cast<std::size_t>(c)];
-          top = std::max(top, heights[grid.index(c, r)]);
+      const double bottom = y(grid.y0 + r * grid.cell),
+                   top = y(std::min(grid.y0 + (r + 1) * grid.cell, high.y()));
+      for (int begin = 0, c = 0; c < grid.columns; ++c) {
+        const int here = bandOf(c, r);
+        if (here >= 0) {
+          auto& highest = profile[static_cast<std::size_t>(c)];
+          highest = std::max<double>(highest, heights[grid.index(c, r)]);
         }
-        if (part && begin < 0)
-          begin = c;
-        if (!part && begin >= 0) {
-          above_ += print("M%.1f %.1fH%.1fV%.1fH%.1fZ",
-                          x(grid.x(begin) - half),
-                          y(grid.y(r) + half) - over,
-                          x(grid.x(c - 1) + half),
-                          y(grid.y(r) - half) + over,
-                          x(grid.x(begin) - half));
-          begin = -1;
-        }
+        if (c + 1 < grid.columns && bandOf(c + 1, r) == here)
+          continue;
+        if (here >= 0)
+          bands[static_cast<std::size_t>(here)] += print("M%.1f %.1fH%.1fV%.1fH%.1fZ",
+                                                         left(begin),
+                                                         bottom,
+                                                         right(c + 1),
+                                                         top,
+                                                         left(begin));
+        begin = c + 1;
       }
     }
-    before_ = print("M%.1f %.1f", x(low.x()), z(scene_.part_min.z()));
+    for (int i = 0; i < kBands; ++i)
+      if (!bands[static_cast<std::size_t>(i)].empty())
+        above_ += "<path shape-rendering=\"crispEdges\" fill=\"" +
+                  heightColour((i + 0.5) / kBands) + "\" d=\"" +
+                  bands[static_cast<std::size_t>(i)] + "\"/>\n";
+    before_ = print("<path class=\"part\" d=\"M%.1f %.1f", x(low.x()), z(floor));
     for (int c = 0; c < grid.columns; ++c)
-      before_ += print("V%.1fH%.1f",
-                       z(profile[static_cast<std::size_t>(c)]),
-                       x(std::min(grid.x(c) + half, high.x())));
-    before_ += print("V%.1fZ", z(scene_.part_min.z()));
+      before_ +=
+          print("V%.1fH%.1f", z(profile[static_cast<std::size_t>(c)]), right(c + 1));
+    before_ += print("V%.1fZ\"/>\n", z(floor));
   }
 
-  void part(const std::string& path, double x0, double y0, double x1, double y1)
+  void part(const std::string& drawn, double x0, double y0, double x1, double y1)
   {
-    if (path.empty())
+    if (drawn.empty())
       rectangle("part", x0, y0, x1, y1);
-    else
-      svg_ += "<path class=\"part\" d=\"" + path + "\"/>\n";
+    svg_ += drawn;
   }
 
   void top()
@@ -219,10 +236,30 @@ private:
     svg_ += names + "</g>\n";
   }
 
+  /// How high the zones are, as outlines: they stand before what matters.
+  void zonesBefore()
+  {
+    if (!scene_.keep_out)
+      return;
+    int number = 0;
+    for (const auto& zone : scene_.keep_out->zones()) {
+      ++number;
+      const double from = std::max(zone.min().x(), box_.min().x()),
+                   to = std::min(zone.max().x(), box_.max().x());
+      if (from >= to || zone.top() <= low_)
+        continue;
+      rectangle("zone-before", x(from), z(std::min(zone.top(), high_)), x(to), z(low_));
+      svg_ += text(x((from + to) / 2),
+                   z(zone.top()) - 4,
+                   "K" + std::to_string(number),
+                   "class=\"zone-name\"");
+    }
+  }
+
   void front()
   {
     const Stock& s = scene_.stock;
-    svg_ += text(x(s.min.x()), front_ - 14, "from the front", "class=\"view\"");
+    svg_ += text(x(s.min.x()), front_ - 36, "from the front", "class=\"view\"");
     rectangle("stock", x(s.min.x()), z(s.max.z()), x(s.max.x()), z(s.min.z()));
     part(before_,
          x(scene_.part_min.x()),
@@ -230,6 +267,7 @@ private:
          x(scene_.part_max.x()),
          z(scene_.part_min.z()));
     rectangle("edge", x(s.min.x()), z(s.max.z()), x(s.max.x()), z(s.min.z()));
+    zonesBefore();
     datum(x(0), z(0), "Z");
     upright(z(s.max.z()),
             z(s.min.z()),
@@ -309,21 +347,28 @@ private:
     const double beyond = at > things ? 5 : -5;
     svg_ += line("dimension", x0, things, x0, at + beyond) +
             line("dimension", x1, things, x1, at + beyond) +
-            line("dimension", x0, at, x1, at) + tick(x0, at) + tick(x1, at) +
-            text((x0 + x1) / 2, at - 5, what, "class=\"length\"");
+            line("dimension", x0, at, x1, at) + tick(x0, at) + tick(x1, at);
+    svg_ += x1 - x0 < kNarrow ? text(x1 + 9, at + 4, what)
+                              : text((x0 + x1) / 2, at - 5, what, "class=\"length\"");
   }
   void upright(double y0, double y1, double at, double things, const std::string& what)
   {
     const double beyond = at > things ? 5 : -5;
     svg_ += line("dimension", things, y0, at + beyond, y0) +
             line("dimension", things, y1, at + beyond, y1) +
-            line("dimension", at, y0, at, y1) + tick(at, y0) + tick(at, y1) +
-            text(at - 6,
-                 (y0 + y1) / 2,
-                 what,
-                 print("class=\"length\" transform=\"rotate(-90 %.1f %.1f)\"",
-                       at - 6,
-                       (y0 + y1) / 2));
+            line("dimension", at, y0, at, y1) + tick(at, y0) + tick(at, y1);
+    if (y1 - y0 < kNarrow)
+      svg_ += text(at + (beyond < 0 ? -9 : 9),
+                   (y0 + y1) / 2 + 4.5,
+                   what,
+                   beyond < 0 ? "class=\"end\"" : "");
+    else
+      svg_ += text(at - 6,
+                   (y0 + y1) / 2,
+                   what,
+                   print("class=\"length\" transform=\"rotate(-90 %.1f %.1f)\"",
+                         at - 6,
+                         (y0 + y1) / 2));
   }
   static std::string tick(double px, double py)
   {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 #include <limits>
 
 namespace pointmill {
@@ -13,6 +14,31 @@ namespace {
 constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
 constexpr std::uint16_t kNoValue = 65535;
 
+/// Between four centres where the ground is no step, else that of the cell.
+float heightAt(const CellGrid& grid, const CellCloud& cells, double x, double y)
+{
+  const int column = grid.columnOf(x), row = grid.rowOf(y);
+  if (!grid.has(column, row))
+    return kNone;
+  const int c = x < grid.x(column) ? column - 1 : column;
+  const int r = y < grid.y(row) ? row - 1 : row;
+  const float own = cells[grid.index(column, row)].z;
+  if (!grid.has(c, r) || !grid.has(c + 1, r + 1))
+    return own;
+  const float z[] = {cells[grid.index(c, r)].z,
+                     cells[grid.index(c + 1, r)].z,
+                     cells[grid.index(c, r + 1)].z,
+                     cells[grid.index(c + 1, r + 1)].z};
+  const auto [low, high] = std::minmax_element(std::begin(z), std::end(z));
+  if (!(*high - *low < 2 * grid.cell) ||
+      !std::all_of(
+          std::begin(z), std::end(z), [](float v) { return std::isfinite(v); }))
+    return own;
+  const double u = (x - grid.x(c)) / grid.cell, v = (y - grid.y(r)) / grid.cell;
+  return static_cast<float>((1 - v) * ((1 - u) * z[0] + u * z[1]) +
+                            v * ((1 - u) * z[2] + u * z[3]));
+}
+
 } // namespace
 
 FieldValues heightsAt(const CellGrid& grid, const CellCloud& cells)
@@ -20,11 +46,8 @@ FieldValues heightsAt(const CellGrid& grid, const CellCloud& cells)
   const CellGrid from = CellGrid::of(cells);
   FieldValues heights(grid.size(), kNone);
   for (int r = 0; r < grid.rows; ++r)
-    for (int c = 0; c < grid.columns; ++c) {
-      const int column = from.columnOf(grid.x(c)), row = from.rowOf(grid.y(r));
-      if (from.has(column, row))
-        heights[grid.index(c, r)] = cells[from.index(column, row)].z;
-    }
+    for (int c = 0; c < grid.columns; ++c)
+      heights[grid.index(c, r)] = heightAt(from, cells, grid.x(c), grid.y(r));
   return heights;
 }
 

@@ -16,7 +16,8 @@ namespace pointmill {
 /// @brief Values of the cells of a grid, NaN where there is none.
 using FieldValues = std::vector<float>;
 
-/// @brief The heights of @p cells at the centres of @p grid.
+/// @brief The heights of @p cells at the centres of @p grid, between their own centres
+/// where the ground is no step.
 FieldValues heightsAt(const CellGrid& grid, const CellCloud& cells);
 
 /// @brief In each cell the intensity that is farthest off zero.

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace pointmill {
 namespace {
@@ -33,10 +34,12 @@ Json of(const PackedField& field)
 CellGrid gridOver(const Stock& stock, const ViewScene& scene, int cells)
 {
   const Eigen::Vector2d size = (stock.max - stock.min).head<2>();
-  double cell = size.maxCoeff() / cells;
+  double finest = std::numeric_limits<double>::infinity();
   for (const auto* field : {scene.part, scene.milled})
-    if (field) // no finer than it is
-      cell = std::max(cell, CellGrid::of(*field).cell);
+    if (field)
+      finest = std::min(finest, CellGrid::of(*field).cell);
+  const double most = size.maxCoeff() / cells;
+  const double cell = std::isfinite(finest) ? std::max(finest, most) : most;
   return CellGrid::covering(stock.min.head<2>(), stock.max.head<2>(), cell);
 }
 

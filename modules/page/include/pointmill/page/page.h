@@ -18,9 +18,9 @@ struct Page {
   std::string scene; ///< of the 3D view, see viewJson(); empty: none
 };
 
-/// @brief Where the 3D view is to be. It comes into sight when it can be drawn, what
-/// stands in for it, @p instead, goes then.
-Html viewPlace(const Html& instead);
+/// @brief Where the 3D view is to be. It comes into sight when it can be drawn; what
+/// follows must do without it.
+Html viewPlace();
 
 /// @brief Writes the page. The same page gives the same bytes.
 void writePage(std::ostream& out, const Page& page);
