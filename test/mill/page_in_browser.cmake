@@ -86,6 +86,21 @@ must_hold("${document}" "<caption>Tools</caption>" "What each operation does"
 browse(${WORK}/nc/report.html document --disable-gpu --disable-3d-apis)
 must_hold("${document}" "data-view=\"missing\"")
 
+# The page of a check, of a program with the wrong tool, has sections of what is found.
+file(READ ${WORK}/nc/program.ngc program)
+string(REPLACE "T3 M6\nG43 H3" "T1 M6\nG43 H1" program "${program}")
+file(WRITE ${WORK}/wrong.ngc "${program}")
+execute_process(
+  COMMAND ${PROGRAM} check ${WORK}/wrong.ngc --dir ${WORK}/nc --quiet
+          --report ${WORK}/check.html
+  RESULT_VARIABLE status)
+if(NOT status EQUAL 3)
+  message(FATAL_ERROR "check: exit code ${status}")
+endif()
+browse(${WORK}/check.html document)
+must_hold("${document}" "data-view=\"ready\"" "Refused: "
+          "Section through the place of finding 1")
+
 mill(3 refused.html --finish-allowance 0.3 --residual-limit 0.05)
 browse(${WORK}/nc/refused.html document)
 must_hold("${document}" "data-view=\"ready\"" "Refused: no program was written")

@@ -156,10 +156,11 @@ private:
       if (std::find(found.begin(), found.end(), line) == found.end())
         lines += element("li", line);
     if (!found.empty())
-      html += section("findings",
-                      "Findings",
-                      findings(job_.judgement(), job_.criteria(), folder_) +
-                          take("findings.png") + take("refused.png"));
+      html +=
+          section("findings",
+                  "Findings",
+                  findings(job_.judgement(), job_.criteria(), inFolder("section.png")) +
+                      take("findings.png") + take("refused.png"));
     if (!lines.empty())
       html += section(
           "mind", "To mind before the start", element("ul class=\"mind\"", lines));
@@ -390,6 +391,11 @@ private:
         "licence stands in the source of this page.");
   }
 
+  std::string inFolder(const std::string& name) const
+  {
+    return (std::filesystem::path(folder_) / name).string();
+  }
+
   /// A picture that is there, once.
   Html take(const std::string& name)
   {
@@ -397,7 +403,7 @@ private:
     if (at == pictures_.end())
       return {};
     pictures_.erase(at);
-    const std::string path = (std::filesystem::path(folder_) / name).string();
+    const std::string path = inFolder(name);
     const auto known =
         std::find_if(std::begin(kPictures),
                      std::end(kPictures),

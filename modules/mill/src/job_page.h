@@ -11,7 +11,8 @@ namespace pointmill {
 
 /// @brief Writes the page that people look at: verdict, set-up sheet, figures, findings
 /// and pictures of a job, and a 3D view of its part and paths. See doc/report_page.md.
-/// @param pictures names of those beside it; preview.png stands for the 3D view
+/// @param path in a folder that is thrown away: a file of a picture may stay in it
+/// @param pictures names of those beside it
 /// @param written whether there is a program, passed or forced
 void writeJobPage(const std::string& path,
                   const MillJob& job,

@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <fstream>
 #include <iterator>
 
@@ -109,13 +108,12 @@ Html terms(const std::vector<std::pair<std::string, Html>>& list)
 
 Html findings(const Judgement& judgement,
               const Criteria& criteria,
-              const std::string& folder)
+              const std::string& scratch)
 {
   const auto& list = judgement.verification.findings;
   if (list.empty())
     return element("p", "Nothing was found.");
   const FindingPicture scene("", judgement, criteria);
-  const std::string file = (std::filesystem::path(folder) / "section.png").string();
   Html items;
   for (std::size_t i = 0; i < list.size(); ++i) {
     const Finding& f = list[i];
@@ -136,15 +134,13 @@ Html findings(const Judgement& judgement,
                         (error ? "error " : "warning ") + std::to_string(i + 1)) +
                     f.text) +
         element("p class=\"where\"", where);
-    if (writeSection(file, scene.scene(), i))
-      item += of({file,
+    if (writeSection(scratch, scene.scene(), i))
+      item += of({scratch,
                   "Section through the place of finding " + std::to_string(i + 1) +
                       ": part, stock and tool",
                   "Section through the place, one scale for both axes, in mm"});
     items += element(error ? "li class=\"error\"" : "li class=\"warning\"", item);
   }
-  std::error_code ignored; // it goes with its folder
-  std::filesystem::remove(file, ignored);
   return element("ul class=\"findings\"", items);
 }
 

@@ -32,10 +32,10 @@ Html tiles(const std::vector<std::pair<std::string, std::string>>& figures);
 Html terms(const std::vector<std::pair<std::string, Html>>& list);
 
 /// @brief What was found, each with a section through its place.
-/// @param folder where its pictures may be for as long as this takes
+/// @param scratch file that its pictures pass through, and that is left behind
 Html findings(const Judgement& judgement,
               const Criteria& criteria,
-              const std::string& folder);
+              const std::string& scratch);
 
 /// @brief How near the milled part comes to the scan, in figures and as a chart.
 Html accuracy(const Judgement& judgement, const Criteria& criteria);
