@@ -19,7 +19,8 @@ if(CCACHE_PROGRAM AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
 endif()
 
 find_package(Threads REQUIRED)
-find_package(PCL 1.13 REQUIRED COMPONENTS common kdtree search sample_consensus filters io)
+find_package(PCL 1.13 REQUIRED
+             COMPONENTS common kdtree search sample_consensus filters io visualization)
 find_package(CLI11 REQUIRED)
 find_package(nlohmann_json REQUIRED)
 find_package(yaml-cpp REQUIRED)

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Copyright (c) 2026, the PointMill authors
 #
-# scripts/bench.sh [drop|rough|gcode|verify] [OPTION...]
+# scripts/bench.sh [drop|rough|gcode|verify|viewer] [OPTION...]
 #   Builds and runs the benchmarks, prints their tables, and puts those into BENCHMARK.md:
 #     drop   the engine, with the plot doc/images/bench.svg. OPTIONs go to bench_drop:
 #            --points=1e5,1e6,1e7,1e8 takes other numbers of points (the last needs
@@ -12,15 +12,16 @@
 #     gcode  writing and reading programs, and their sizes with and without arcs. OPTIONs
 #            go to bench_gcode, they are Google Benchmark's.
 #     verify the verification of an hour of finishing. OPTIONs are Google Benchmark's.
+#     viewer the viewer with a million CL points. OPTIONs are Google Benchmark's.
 #   Without a word all are run, and take no OPTIONs.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 which=${1-all}
 case $which in
-  drop | rough | gcode | verify) shift ;;
+  drop | rough | gcode | verify | viewer) shift ;;
   all) ;;
-  *) sed -n 's/^# \{0,1\}//; 5,17p' "$0" >&2; exit 1 ;;
+  *) sed -n 's/^# \{0,1\}//; 5,18p' "$0" >&2; exit 1 ;;
 esac
 
 scripts/dependencies.sh build bench
@@ -77,4 +78,11 @@ if [ "$which" = verify ] || [ "$which" = all ]; then
   build/release/bin/bench_verify --benchmark_repetitions=3 \
     --benchmark_out=build/release/bench_verify.json --benchmark_out_format=json "$@"
   scripts/verify_report.py build/release/bench_verify.json --page BENCHMARK.md
+fi
+
+if [ "$which" = viewer ] || [ "$which" = all ]; then
+  cmake --build --preset release --target bench_viewer
+  build/release/bin/bench_viewer --benchmark_repetitions=3 \
+    --benchmark_out=build/release/bench_viewer.json --benchmark_out_format=json "$@"
+  scripts/viewer_report.py build/release/bench_viewer.json --page BENCHMARK.md
 fi

@@ -11,6 +11,8 @@ scripts/quickstart.sh
 mkdir -p doc/images
 cp out/sample/preview.png doc/images/sample.png
 cp out/sample/occupancy_2.png doc/images/occupancy.png
+build/release/bin/pointmill_viewer out/sample --at 58% --size 1600x900 \
+  --screenshot doc/images/viewer.png
 
 # A program with the wrong tool, and why it is refused.
 sed 's/^T3 M6$/T1 M6/; s/^G43 H3$/G43 H1/' out/sample/program.ngc >out/sample/wrong_tool.ngc

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <random>
@@ -300,6 +301,23 @@ TEST(ProgramTime, EachSectionHasItsOwnTime)
   program.sections.clear();
   EXPECT_EQ(programTime(program, machine()).sections.size(), 1u);
   EXPECT_NEAR(programTime(program, machine()).total.total(), time.total.total(), 1e-12);
+}
+
+TEST(ProgramTime, EachMoveEndsWhenThoseBeforeAndItsOwnTimeAreOver)
+{
+  Path path = randomPath(11, 300);
+  path.program.moves[100].tool = 2; // changed to and back
+  path.program.tools = {1, 2, 1};
+  const ProgramTime all = programTime(path.program, machine());
+  ASSERT_EQ(all.ends.size(), path.program.moves.size());
+  EXPECT_NEAR(all.ends.back(), all.total.total(), 1e-6);
+  EXPECT_TRUE(std::is_sorted(all.ends.begin(), all.ends.end()));
+  EXPECT_GT(all.ends[100] - all.ends[99], ProgramTimeOptions().tool_change);
+  // A long move between rests: its trapezoid, on top of what came before.
+  Path two;
+  two.feed(10, 0, 0).feed(0, 0, 0);
+  const double one = seconds(Path().feed(10, 0, 0).program);
+  EXPECT_NEAR(programTime(two.program, machine()).ends[0], one, 1e-9);
 }
 
 TEST(ProgramTime, AToolThatIsMountedIsNotChanged)

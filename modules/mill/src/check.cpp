@@ -58,30 +58,43 @@ ProgramForm formOf(const ProgramStream& file, ProgramForm otherwise)
   return form == ProgramForm::Rs274 && plain ? otherwise : form;
 }
 
-Judgement judge(std::vector<ProgramStream> files, const Criteria& criteria, int mounted)
+Program
+readPrograms(std::vector<ProgramStream> files, const Criteria& criteria, int mounted)
 {
   GCodeReader reader;
   reader.setForm(criteria.form);
   reader.setMountedTool(mounted);
   reader.setChordError(criteria.arc_error);
-  Judgement judgement;
+  Program all;
   for (auto& file : files) {
     try {
       Program program = reader.read(*file.text);
       if (files.size() == 1)
-        judgement.program = std::move(program);
+        all = std::move(program);
       else
-        judgement.program.append(std::move(program), file.name);
+        all.append(std::move(program), file.name);
     }
     catch (const DataError& e) {
       throw DataError(withPlace(file.name, e.what()));
     }
   }
-  judgement.verification = criteria.judge(judgement.program);
+  return all;
+}
+
+ProgramTime timeOf(const Program& program, const Criteria& criteria)
+{
   ProgramTimeOptions options;
   if (criteria.form == ProgramForm::Grbl)
     options.corners = CornerMode::Machine;
-  judgement.time = programTime(judgement.program, criteria.machine, options);
+  return programTime(program, criteria.machine, options);
+}
+
+Judgement judge(std::vector<ProgramStream> files, const Criteria& criteria, int mounted)
+{
+  Judgement judgement;
+  judgement.program = readPrograms(std::move(files), criteria, mounted);
+  judgement.verification = criteria.judge(judgement.program);
+  judgement.time = timeOf(judgement.program, criteria);
   return judgement;
 }
 

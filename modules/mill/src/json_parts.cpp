@@ -7,11 +7,6 @@
 namespace pointmill::json {
 namespace {
 
-Eigen::Vector3d vectorFrom(const Json& json)
-{
-  return {json.at(0).get<double>(), json.at(1).get<double>(), json.at(2).get<double>()};
-}
-
 Json of(const KeepOutZone& zone)
 {
   Json json = {{"what", zone.describe()}, {"top", zone.top()}};
@@ -35,6 +30,11 @@ KeepOutZone zoneFrom(const Json& json)
 }
 
 } // namespace
+
+Eigen::Vector3d vectorFrom(const Json& json)
+{
+  return {json.at(0).get<double>(), json.at(1).get<double>(), json.at(2).get<double>()};
+}
 
 Json number(double value)
 {

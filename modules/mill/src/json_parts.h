@@ -18,6 +18,8 @@ using Json = nlohmann::ordered_json;
 /// @brief JSON has no NaN and no infinity.
 Json number(double value);
 Json vector(const Eigen::Vector3d& v);
+/// @throws nlohmann::json::exception
+Eigen::Vector3d vectorFrom(const Json& json);
 
 /// @name What the report holds for people and a later check reads again
 /// @{

@@ -211,6 +211,10 @@ void MillJob::write(const std::string& directory)
     writeCloud(in("part.pcd"), *part_);
     for (const auto& name : criteria_.writeClouds(staging.path().string()))
       names.push_back(name);
+    names.push_back("map.pcd");
+    writeCloud(in("map.pcd"), *map_);
+    names.push_back("deviation.pcd");
+    writeCloud(in("deviation.pcd"), verification().deviations);
     names.push_back("cl.pcd");
     CLCloud all;
     for (const auto& o : operations_)

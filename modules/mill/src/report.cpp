@@ -115,6 +115,7 @@ Json operationJson(const PlannedOperation& planned, const Verification& verifica
     stages[name] = number(value);
   const PathFigures& f = planned.figures;
   Json json = {{"name", o.name},
+               {"colour", planned.colour},
                {"parameters", parameters},
                {"cl_points", f.cl_points},
                {"passes", f.passes},
@@ -156,7 +157,8 @@ Json verificationJson(const Judgement& judgement, double tolerance)
                     {"text", f.text},
                     {"worst", number(f.worst)},
                     {"count", f.count},
-                    {"where", f.line > 0 ? judgement.program.where(f.line) : ""}};
+                    {"where", f.line > 0 ? judgement.program.where(f.line) : ""},
+                    {"line", f.line}};
     if (f.place.allFinite())
       finding["at"] = vector(f.place);
     if (f.tool > 0)

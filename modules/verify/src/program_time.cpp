@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <optional>
 
 namespace pointmill {
@@ -194,6 +195,7 @@ ProgramTime programTime(const Program& program,
   Sections sections(program);
   ProgramTime time;
   time.sections.resize(sections.count());
+  time.ends.assign(program.moves.size(), 0.0); // what each takes, at first
 
   bool stop = true;
   for (std::size_t i = 0; i < program.moves.size(); ++i) {
@@ -201,6 +203,7 @@ ProgramTime programTime(const Program& program,
     SectionTime& section = time.sections[sections.of(i)];
     if (needsChange(program, i)) {
       section.tool_change += options.tool_change;
+      time.ends[i] += options.tool_change;
       stop = true;
     }
     // The control waits for the spindle.
@@ -223,7 +226,9 @@ ProgramTime programTime(const Program& program,
   planner.run([&](std::size_t i, double seconds) {
     SectionTime& section = time.sections[again.of(i)];
     (program.moves[i].rapid ? section.rapid : section.cutting) += seconds;
+    time.ends[i] += seconds;
   });
+  std::partial_sum(time.ends.begin(), time.ends.end(), time.ends.begin());
   for (const SectionTime& section : time.sections)
     time.total += section;
   return time;

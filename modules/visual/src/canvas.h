@@ -2,7 +2,7 @@
 // Copyright (c) 2026, the PointMill authors
 #pragma once
 
-#include "colour.h"
+#include <pointmill/visual/colour.h>
 
 #include <algorithm>
 #include <cmath>

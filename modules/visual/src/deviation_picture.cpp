@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the PointMill authors
+#include "canvas_png.h"
 #include "cell_sheet.h"
 #include "cloud_extent.h"
-#include "deviation_scale.h"
-#include "png.h"
 #include "ruler.h"
+#include <pointmill/visual/deviation_scale.h>
 
 #include <pointmill/common/error.h>
 #include <pointmill/common/parameters.h>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the PointMill authors
 #include "badge.h"
+#include "canvas_png.h"
 #include "finding_list.h"
 #include "finding_map.h"
-#include "png.h"
 #include "section_panel.h"
 
 #include <pointmill/common/error.h>

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the PointMill authors
+#include "canvas_png.h"
 #include "flow.h"
 #include "grid.h"
 #include "level_ground.h"
 #include "level_legend.h"
 #include "level_lines.h"
 #include "level_moves.h"
-#include "png.h"
 #include "ruler.h"
 
 #include <pointmill/common/error.h>

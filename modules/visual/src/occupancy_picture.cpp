@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the PointMill authors
+#include "canvas_png.h"
 #include "cell_sheet.h"
 #include "grid.h"
-#include "png.h"
 #include "ruler.h"
 #include "text.h"
 

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the PointMill authors
-#include "colour.h"
-#include "deviation_scale.h"
-
+#include <pointmill/visual/colour.h>
+#include <pointmill/visual/deviation_scale.h>
 #include <pointmill/visual/palette.h>
 
 #include <cstdio>

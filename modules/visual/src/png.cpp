@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the PointMill authors
-#include "png.h"
+#include "canvas_png.h"
 
 #include <pointmill/common/error.h>
+#include <pointmill/visual/png.h>
 
 #include <vtkImageData.h>
 #include <vtkNew.h>
@@ -26,6 +27,11 @@ void writePng(const std::string& path, const Canvas& canvas)
     std::memcpy(image->GetScalarPointer(0, canvas.height() - 1 - y, 0),
                 canvas.row(y),
                 3 * static_cast<std::size_t>(canvas.width()));
+  writePng(path, image);
+}
+
+void writePng(const std::string& path, vtkImageData* image)
+{
   vtkNew<vtkPNGWriter> writer;
   writer->SetInputData(image);
   writer->SetCompressionLevel(6); // 9 takes several times as long for few per cent

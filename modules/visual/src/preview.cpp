@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the PointMill authors
 #include "canvas.h"
+#include "canvas_png.h"
 #include "layout.h"
 #include "panels.h"
-#include "png.h"
 #include "ruler.h"
 #include "text.h"
 

@@ -33,8 +33,17 @@ std::vector<ProgramStream> openPrograms(const std::vector<std::string>& paths);
 /// @brief How a file is spelled, where its first lines tell, else @p otherwise.
 ProgramForm formOf(const ProgramStream& file, ProgramForm otherwise);
 
-/// @brief Reads a program of one file or several, as the criteria say it is spelled,
-/// and judges it.
+/// @brief Reads a program of one file or several, as the criteria say it is spelled.
+/// @param mounted tool that is in the spindle at the start; 0: not known
+/// @throws DataError where it cannot be read
+Program readPrograms(std::vector<ProgramStream> files,
+                     const Criteria& criteria,
+                     int mounted = 0);
+
+/// @brief How long it runs on the machine of the criteria.
+ProgramTime timeOf(const Program& program, const Criteria& criteria);
+
+/// @brief readPrograms(), and judges what it reads.
 /// @param mounted tool that is in the spindle at the start; 0: not known
 /// @throws DataError where it cannot be read
 Judgement

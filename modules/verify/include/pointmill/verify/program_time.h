@@ -43,6 +43,8 @@ struct ProgramTime {
   SectionTime total;
   /// One for each of Program::sections, in their order; one where there are none.
   std::vector<SectionTime> sections;
+  /// For each move the seconds from the program's start to the move's end.
+  std::vector<double> ends;
 };
 
 /// @brief Estimates how long a program runs: every move speeds up and brakes with

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the PointMill authors
+//
+// pointmill_viewer: looks at scans, jobs and programs, and plays the cut.
+// Exit codes: 0 good, 1 usage, 2 bad input.
+#include "job_scene.h"
+#include "viewer_options.h"
+
+#include <pointmill/common/error.h>
+#include <pointmill/common/version.h>
+#include <pointmill/viewer/viewer.h>
+
+#include <filesystem>
+#include <iostream>
+
+using namespace pointmill;
+
+namespace {
+
+ViewerScene sceneOf(const ViewerOptions& options)
+{
+  ViewerScene scene;
+  std::string directory;
+  for (const auto& path : options.inputs)
+    if (std::filesystem::is_directory(path)) {
+      if (!directory.empty())
+        throw ParameterError("pointmill_viewer: one job at a time, not " + directory +
+                             " and " + path);
+      directory = path;
+    }
+  if (directory.empty() && (!options.programs.empty() || !options.scan.empty()))
+    throw ParameterError("pointmill_viewer: --program and --scan need the directory "
+                         "of a job, which knows tools, stock and alignment");
+  if (!directory.empty())
+    scene = sceneOfJob(directory, options.programs);
+  if (!options.scan.empty())
+    addScan(scene, options.scan, directory);
+  for (const auto& path : options.inputs)
+    if (path != directory)
+      addFile(scene, path);
+  if (scene.title.empty())
+    scene.title = std::filesystem::path(options.inputs.front()).filename().string();
+  return scene;
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+  CLI::App app{"Shows scans, jobs that pointmill has milled, and programs; plays the "
+               "cut.\nMouse and keys are pcl_viewer's, with these beside them:\n\n" +
+               Viewer::help()};
+  app.set_version_flag("--version", std::string("pointmill_viewer ") + version);
+  ViewerOptions options;
+  declare(app, options);
+  try {
+    auto words = asLongOptions(argc, argv);
+    app.parse(words);
+    ViewerScene scene = sceneOf(options);
+    const ViewerLook look = lookFor(options, scene);
+    Viewer viewer(std::move(scene), look);
+    if (look.level && *look.level >= viewer.levels().size())
+      throw ParameterError("pointmill_viewer: there is no level " +
+                           std::to_string(*look.level + 1) + "; there are " +
+                           std::to_string(viewer.levels().size()));
+    if (options.screenshot.empty())
+      viewer.show(options.width, options.height, options.play);
+    else
+      viewer.screenshot(options.screenshot, options.width, options.height);
+  }
+  catch (const CLI::ParseError& e) {
+    if (e.get_exit_code() == 0) // --help, --version
+      return app.exit(e);
+    std::cerr << "pointmill_viewer: " << e.what() << " (pointmill_viewer --help)\n";
+    return 1;
+  }
+  catch (const ParameterError& e) {
+    std::cerr << e.what() << '\n';
+    return 1;
+  }
+  catch (const std::exception& e) {
+    std::cerr << "pointmill_viewer: " << e.what() << '\n';
+    return 2;
+  }
+  return 0;
+}

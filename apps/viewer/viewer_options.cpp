@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the PointMill authors
+#include "viewer_options.h"
+
+#include "../pointmill/option.h"
+
+#include <pointmill/common/error.h>
+
+#include <algorithm>
+#include <sstream>
+
+using namespace pointmill;
+
+namespace {
+
+const std::vector<std::pair<std::string, ViewedSolid>> kSolids = {
+    {"stock", ViewedSolid::Stock},
+    {"part", ViewedSolid::Part},
+    {"deviation", ViewedSolid::Deviation},
+    {"none", ViewedSolid::None}};
+const std::vector<std::pair<std::string, ViewedPaths>> kPaths = {
+    {"all", ViewedPaths::All},
+    {"level", ViewedPaths::Level},
+    {"trail", ViewedPaths::Trail},
+    {"none", ViewedPaths::None}};
+const std::vector<std::pair<std::string, PathColouring>> kColourings = {
+    {"operation", PathColouring::Operation},
+    {"pass", PathColouring::Pass},
+    {"level", PathColouring::Level},
+    {"motion", PathColouring::Motion},
+    {"feed", PathColouring::Feed},
+    {"height", PathColouring::Height}};
+const std::vector<std::pair<std::string, ViewedFrom>> kFrom = {
+    {"iso", ViewedFrom::Iso},
+    {"top", ViewedFrom::Top},
+    {"front", ViewedFrom::Front},
+    {"back", ViewedFrom::Back},
+    {"left", ViewedFrom::Left},
+    {"right", ViewedFrom::Right}};
+
+/// "1280x800"
+void setSize(ViewerOptions& options, const std::string& text)
+{
+  char between = 0;
+  std::istringstream in(text);
+  if (!(in >> options.width >> between >> options.height) || between != 'x' ||
+      !(in >> std::ws).eof() || options.width < 64 || options.height < 64 ||
+      options.width > 8192 || options.height > 8192)
+    throw CLI::ValidationError("--size",
+                               "WIDTHxHEIGHT in px, 64 .. 8192 each, not " + text);
+}
+
+/// "255,255,255", as pcl_viewer takes it
+void setBackground(ViewerOptions& options, const std::string& text)
+{
+  float rgb[3];
+  char comma = ',';
+  std::istringstream in(text);
+  for (float& c : rgb) {
+    if (comma != ',' || !(in >> c) || c < 0 || c > 255)
+      throw CLI::ValidationError("-bc", "R,G,B of 0 .. 255 each, not " + text);
+    in >> comma;
+    c /= 255;
+  }
+  options.look.background = {rgb[0], rgb[1], rgb[2]};
+}
+
+/// "90", "1:30", "0:01:30", "50%" or "line 123"
+double momentOf(const std::string& text, const ViewerScene& scene)
+{
+  if (!scene.player || scene.player->duration() <= 0)
+    throw ParameterError("pointmill_viewer: --at needs a program");
+  const CutPlayer& player = *scene.player;
+  const auto bad = [&]() -> double {
+    throw ParameterError("pointmill_viewer: --at takes seconds, h:mm:ss, a share as "
+                         "50% or \"line 123\", not " +
+                         text);
+  };
+  std::istringstream in(text);
+  std::string word;
+  double number = 0;
+  if (text.rfind("line", 0) == 0) {
+    in.ignore(4);
+    std::size_t line = 0;
+    if (!(in >> line) || !(in >> std::ws).eof())
+      return bad();
+    return player.endOf(player.moveOfLine(line));
+  }
+  double seconds = 0;
+  while (in >> number) {
+    seconds = 60 * seconds + number;
+    if (in.eof())
+      return seconds <= player.duration() ? seconds : bad();
+    const int next = in.get();
+    if (next == '%' && in.peek() == EOF && number >= 0 && number <= 100)
+      return player.duration() * number / 100;
+    if (next != ':')
+      return bad();
+  }
+  return bad();
+}
+
+template <typename Value>
+void optionalChoice(CLI::App& app,
+                    const std::string& name,
+                    std::optional<Value>& value,
+                    const std::vector<std::pair<std::string, Value>>& choices,
+                    const std::string& help)
+{
+  choice<Value>(
+      app, name, [&value](Value v) { value = v; }, choices, help);
+}
+
+} // namespace
+
+void declare(CLI::App& app, ViewerOptions& o)
+{
+  app.add_option("INPUT", o.inputs, "directory of a job, and clouds or meshes")
+      ->required();
+  app.add_option("--program",
+                 o.programs,
+                 "play and judge this program instead of the job's own; its files in "
+                 "the order of machining")
+      ->type_name("FILE");
+  app.add_option("--scan", o.scan, "show the scan that the job was made from as well")
+      ->type_name("FILE");
+  optionalChoice(app, "--solid", o.solid, kSolids, "what stands in the middle");
+  optionalChoice(app, "--paths", o.paths, kPaths, "which paths are shown");
+  choice<PathColouring>(
+      app,
+      "--colour-by",
+      [&o](PathColouring c) { o.look.colouring = c; },
+      kColourings,
+      "what the colours of paths tell")
+      ->default_str("operation");
+  app.add_option("--level", o.level, "the level that is shown, 1 at the top")
+      ->type_name("N")
+      ->check(CLI::PositiveNumber);
+  app.add_flag("--map", o.map, "show the bi-colour map at that level");
+  app.add_option("--finding", o.finding, "look at this finding, from 1 on")
+      ->type_name("N")
+      ->check(CLI::PositiveNumber);
+  app.add_option("--at", o.at, "moment: seconds, h:mm:ss, a share as 50%, \"line 123\"")
+      ->type_name("TIME");
+  app.add_flag("--play", o.play, "play from there");
+  numberOption(app, "--speed", o.look.speed, "X", "so much faster than the machine")
+      ->default_str("all of it in a minute")
+      ->check(CLI::Range(0.01, 1e5));
+  app.add_flag("--no-rapids", o.no_rapids, "hide rapids");
+  app.add_flag("--no-tool", o.no_tool, "hide the tool");
+  app.add_flag("--no-box", o.no_box, "hide the box of the stock");
+  app.add_flag("--no-texts", o.no_texts, "hide title, legend and figures");
+  app.add_flag("--no-axes", o.no_axes, "hide the axes of the part frame");
+  app.add_option("--screenshot", o.screenshot, "write a picture; needs no display")
+      ->type_name("PNG");
+  choice<ViewedFrom>(
+      app,
+      "--view",
+      [&o](ViewedFrom from) { o.look.from = from; },
+      kFrom,
+      "where it is looked at from")
+      ->default_str("iso");
+  app.add_option_function<std::string>(
+         "--size", [&o](const std::string& text) { setSize(o, text); }, "of the window")
+      ->type_name("WxH")
+      ->default_str("1280x800");
+  numberOption(app, "--ps", o.look.point_size, "PX", "size of points (also -ps)")
+      ->check(CLI::Range(1, 64));
+  app.add_option_function<std::string>(
+         "--bc",
+         [&o](const std::string& text) { setBackground(o, text); },
+         "colour of the background (also -bc)")
+      ->type_name("R,G,B")
+      ->default_str("255,255,255");
+  numberOption(app, "--ax", o.look.axes, "MM", "length of the axes (also -ax)")
+      ->default_str("a share of the part")
+      ->check(CLI::PositiveNumber);
+}
+
+std::vector<std::string> asLongOptions(int argc, char** argv)
+{
+  std::vector<std::string> words(argv + 1, argv + argc);
+  for (auto& word : words)
+    for (const char* name : {"-ps", "-bc", "-ax"})
+      if (word == name)
+        word.insert(0, 1, '-');
+  std::reverse(words.begin(), words.end());
+  return words;
+}
+
+ViewerLook lookFor(const ViewerOptions& o, const ViewerScene& scene)
+{
+  ViewerLook look = o.look;
+  look.solid = o.solid        ? *o.solid
+               : scene.player ? ViewedSolid::Stock
+                              : ViewedSolid::Part;
+  look.paths = o.paths        ? *o.paths
+               : scene.player ? ViewedPaths::Trail
+                              : ViewedPaths::All;
+  look.map = o.map || (scene.map && !scene.player && !scene.path);
+  look.rapids = !o.no_rapids;
+  look.tool = !o.no_tool;
+  look.box = !o.no_box;
+  look.texts = !o.no_texts;
+  if (o.no_axes)
+    look.axes = -1;
+  if (o.level)
+    look.level = *o.level - 1;
+  if (o.finding && *o.finding > scene.findings.size())
+    throw ParameterError("pointmill_viewer: there is no finding " +
+                         std::to_string(*o.finding) + "; there are " +
+                         std::to_string(scene.findings.size()));
+  if (o.finding)
+    look.finding = *o.finding - 1;
+  if (!o.at.empty())
+    look.time = momentOf(o.at, scene);
+  else if (look.finding && scene.player && scene.findings[*look.finding].line > 0)
+    look.time = scene.player->endOf(
+        scene.player->moveOfLine(scene.findings[*look.finding].line));
+  else if (scene.player && !o.play)
+    look.time = scene.player->duration();
+  return look;
+}

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the PointMill authors
+#pragma once
+
+#include <pointmill/viewer/viewer.h>
+
+#include <CLI/CLI.hpp>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+/// @brief What `pointmill_viewer` was told on its command line.
+struct ViewerOptions {
+  std::vector<std::string> inputs, programs;
+  std::string scan, screenshot, at;
+  pointmill::ViewerLook look;
+  std::optional<pointmill::ViewedSolid> solid;
+  std::optional<pointmill::ViewedPaths> paths;
+  std::optional<std::size_t> level, finding; ///< counting from 1
+  bool play = false, map = false;
+  bool no_rapids = false, no_tool = false, no_box = false, no_texts = false,
+       no_axes = false;
+  int width = 1280, height = 800;
+};
+
+/// @brief Declares the options.
+void declare(CLI::App& app, ViewerOptions& options);
+
+/// @brief pcl_viewer's options, which have one dash and several letters (-ps, -bc,
+/// -ax), as CLI11 takes them; in its order, last first.
+std::vector<std::string> asLongOptions(int argc, char** argv);
+
+/// @brief What is shown of the scene: what was asked for, else what there is.
+/// @throws ParameterError where there is no such level, finding or moment
+pointmill::ViewerLook lookFor(const ViewerOptions& options,
+                              const pointmill::ViewerScene& scene);

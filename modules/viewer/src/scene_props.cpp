@@ -1,0 +1,494 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the PointMill authors
+#include "scene_props.h"
+
+#include "path_lines.h"
+#include "words.h"
+
+#include <vtkActor.h>
+#include <vtkCamera.h>
+#include <vtkCellArray.h>
+#include <vtkMapper.h>
+#include <vtkNew.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
+#include <vtkSphereSource.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace pointmill::viewer {
+
+namespace {
+
+/// While the view moves, no more points than these are drawn of the paths, and of the
+/// part.
+constexpr vtkIdType kMovingPath = 60'000, kMovingPart = 60'000;
+constexpr double kDash = 1.0 / 120;
+/// What the tool did in the last so many seconds is its trail.
+constexpr double kTrailSeconds = 20;
+constexpr std::size_t kTrailMoves = 4000;
+
+vtkNew<vtkPolyDataMapper> mapperOf(vtkPolyData* data)
+{
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(data);
+  return mapper;
+}
+
+vtkIdType pointsOf(vtkActor* actor)
+{
+  return actor->GetMapper()->GetInputAsDataSet()->GetNumberOfPoints();
+}
+
+bool hasVolume(const Stock& stock)
+{
+  return ((stock.max - stock.min).array() > 0).all();
+}
+
+} // namespace
+
+SceneProps::SceneProps(const ViewerScene& scene,
+                       const std::vector<double>& levels,
+                       vtkRenderer* renderer,
+                       const ViewerLook& look)
+    : scene_(scene), levels_(levels), renderer_(renderer),
+      overlay_(renderer, look.background)
+{
+  const auto extend = [](Eigen::AlignedBox3d& box, const auto& cloud) {
+    for (const auto& p : cloud)
+      if (std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z))
+        box.extend(Eigen::Vector3d(p.x, p.y, p.z));
+  };
+  if (hasVolume(scene.stock)) {
+    box_.extend(scene.stock.min);
+    box_.extend(scene.stock.max);
+  }
+  if (scene.part)
+    extend(box_, *scene.part);
+  if (box_.isEmpty() && scene.map)
+    extend(box_, *scene.map);
+  box_with_paths_ = box_;
+  if (scene.path)
+    extend(box_with_paths_, *scene.path);
+  if (box_.isEmpty())
+    box_ = box_with_paths_;
+  if (!box_.isEmpty())
+    diagonal_ = std::max(box_.diagonal().norm(), 1e-3);
+  if (scene.deviation)
+    deviation_scale_ = deviationScaleOf(*scene.deviation, scene.tolerance);
+}
+
+void SceneProps::update(const ViewerLook& look, int room)
+{
+  showSolid(look);
+  showPaths(look);
+  showTrail(look);
+  showTool(look);
+  showLevel(look);
+  showFindings(look);
+  showTexts(look, room);
+}
+
+void SceneProps::showSolid(const ViewerLook& look)
+{
+  const bool stock = look.solid == ViewedSolid::Stock && scene_.player;
+  if (stock) {
+    if (!stock_) {
+      stock_.emplace(scene_.player->stock(), scene_.section_colours);
+      renderer_->AddActor(stock_->actor());
+    }
+    stock_->update(*scene_.player);
+  }
+  if (stock_)
+    stock_->actor()->SetVisibility(stock);
+
+  part_.visible = look.solid == ViewedSolid::Part && scene_.part;
+  if (part_.visible && !part_.full)
+    part_ = dots(scene_.part->size(), [&](std::size_t stride) {
+      return partPoints(*scene_.part, scene_.map.get(), stride);
+    });
+  deviation_.visible = look.solid == ViewedSolid::Deviation && scene_.deviation;
+  if (deviation_.visible && !deviation_.full)
+    deviation_ = dots(scene_.deviation->size(), [&](std::size_t stride) {
+      return deviationPoints(*scene_.deviation, deviation_scale_, stride);
+    });
+  for (auto* actor : {part_.full.Get(),
+                      part_.coarse.Get(),
+                      deviation_.full.Get(),
+                      deviation_.coarse.Get()})
+    if (actor)
+      actor->GetProperty()->SetPointSize(static_cast<float>(look.point_size));
+  setMoving(moving_);
+  if (!edges_ && hasVolume(scene_.stock)) {
+    edges_ = stockEdges(scene_.stock);
+    renderer_->AddActor(edges_);
+  }
+  if (edges_)
+    edges_->SetVisibility(look.box);
+}
+
+SceneProps::Dots SceneProps::dots(
+    std::size_t points,
+    const std::function<vtkSmartPointer<vtkActor>(std::size_t stride)>& make)
+{
+  Dots made;
+  made.visible = true;
+  made.full = made.coarse = make(1);
+  if (points > kMovingPart)
+    made.coarse = make(points / kMovingPart + 1);
+  renderer_->AddActor(made.full);
+  renderer_->AddActor(made.coarse);
+  return made;
+}
+
+void SceneProps::showPaths(const ViewerLook& look)
+{
+  const bool shown = scene_.path && (look.paths == ViewedPaths::All ||
+                                     look.paths == ViewedPaths::Level);
+  paths_visible_ = shown;
+  setMoving(moving_);
+  if (rapids_)
+    rapids_->SetVisibility(shown && look.rapids);
+  if (!shown)
+    return;
+  if (paths_ && paths_shown_ == look.paths && paths_colouring_ == look.colouring &&
+      (look.paths == ViewedPaths::All || paths_level_ == look.level))
+    return;
+  paths_shown_ = look.paths;
+  paths_colouring_ = look.colouring;
+  paths_level_ = look.level;
+  PathFilter filter = [](const PointCL&, std::size_t) { return true; };
+  if (look.paths == ViewedPaths::Level && look.level && *look.level < levels_.size()) {
+    constexpr double little = 1e-3; // mm
+    const double low = levels_[*look.level] - little;
+    const double high =
+        *look.level > 0 ? levels_[*look.level - 1] - little : scene_.stock.top() + 1e6;
+    filter = [low, high](const PointCL& p, std::size_t) {
+      return p.z >= low && p.z < high;
+    };
+  }
+  for (auto* old : {paths_.Get(), coarse_paths_.Get(), rapids_.Get()})
+    if (old)
+      renderer_->RemoveActor(old);
+  const PathColours colours(scene_, look.colouring);
+  const auto lines = [&](double coarse) {
+    auto actor = vtkSmartPointer<vtkActor>::New();
+    actor->SetMapper(mapperOf(feedLines(scene_, colours, filter, coarse)));
+    actor->GetProperty()->LightingOff();
+    actor->GetProperty()->SetLineWidth(1.2f);
+    renderer_->AddActor(actor);
+    return actor;
+  };
+  paths_ = lines(0);
+  coarse_paths_ = paths_;
+  for (double coarse = diagonal_ / 1000; pointsOf(coarse_paths_) > kMovingPath;
+       coarse *= 2) {
+    if (coarse_paths_ != paths_)
+      renderer_->RemoveActor(coarse_paths_);
+    coarse_paths_ = lines(coarse);
+    if (coarse > diagonal_)
+      break; // strips of two points each are all there is
+  }
+  setMoving(moving_);
+
+  rapids_ = vtkSmartPointer<vtkActor>::New();
+  rapids_->SetMapper(mapperOf(rapidDashes(scene_, filter, kDash * diagonal_)));
+  const visual::Rgb& ink = visual::kFaintInk;
+  rapids_->GetProperty()->SetColor(ink.r, ink.g, ink.b);
+  rapids_->GetProperty()->LightingOff();
+  rapids_->GetProperty()->SetLineWidth(1.f);
+  rapids_->SetVisibility(look.rapids);
+  renderer_->AddActor(rapids_);
+}
+
+void SceneProps::setMoving(bool moving)
+{
+  moving_ = moving;
+  const auto choose = [moving](vtkActor* full, vtkActor* coarse, bool visible) {
+    if (!full)
+      return;
+    full->SetVisibility(visible && !(moving && coarse != full));
+    if (coarse != full)
+      coarse->SetVisibility(visible && moving);
+  };
+  choose(paths_, coarse_paths_, paths_visible_);
+  choose(part_.full, part_.coarse, part_.visible);
+  choose(deviation_.full, deviation_.coarse, deviation_.visible);
+}
+
+void SceneProps::showTrail(const ViewerLook& look)
+{
+  if (trail_)
+    renderer_->RemoveActor(trail_);
+  trail_ = nullptr;
+  if (look.paths != ViewedPaths::Trail || !scene_.player ||
+      scene_.player->program().moves.empty())
+    return;
+  const CutPlayer& player = *scene_.player;
+  const std::size_t last = player.move();
+  std::size_t first = last;
+  const double since = player.time() - kTrailSeconds * std::max(1.0, look.speed / 20);
+  while (first > 0 && last - first < kTrailMoves && player.beginOf(first) > since)
+    --first;
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> lines;
+  const auto& moves = player.program().moves;
+  for (std::size_t m = first; m <= last; ++m) {
+    const Eigen::Vector3d& a = moves[m].from;
+    const Eigen::Vector3d b = m == last ? player.tip() : moves[m].to;
+    if (!a.allFinite() || !b.allFinite() || moves[m].rapid)
+      continue;
+    const vtkIdType ends[] = {points->InsertNextPoint(a.data()),
+                              points->InsertNextPoint(b.data())};
+    lines->InsertNextCell(2, ends);
+  }
+  vtkNew<vtkPolyData> data;
+  data->SetPoints(points);
+  data->SetLines(lines);
+  trail_ = vtkSmartPointer<vtkActor>::New();
+  trail_->SetMapper(mapperOf(data));
+  const visual::Rgb colour = visual::hex(0xD55E00);
+  trail_->GetProperty()->SetColor(colour.r, colour.g, colour.b);
+  trail_->GetProperty()->LightingOff();
+  trail_->GetProperty()->SetLineWidth(2.f);
+  renderer_->AddActor(trail_);
+}
+
+void SceneProps::showTool(const ViewerLook& look)
+{
+  for (auto& [number, prop] : tools_)
+    prop->SetVisibility(false);
+  if (!look.tool || !scene_.player || !scene_.player->tool())
+    return;
+  const Tool& tool = *scene_.player->tool();
+  const Eigen::Vector3d tip = scene_.player->tip();
+  if (!tip.allFinite())
+    return;
+  auto& prop = tools_[tool.number];
+  if (!prop) {
+    prop = toolShape(tool);
+    renderer_->AddViewProp(prop);
+  }
+  prop->SetPosition(tip.x(), tip.y(), tip.z());
+  prop->SetVisibility(true);
+}
+
+void SceneProps::showLevel(const ViewerLook& look)
+{
+  const bool shown =
+      look.map && scene_.map && look.level && *look.level < levels_.size();
+  if (shown && sheet_level_ != look.level) {
+    if (sheet_)
+      renderer_->RemoveActor(sheet_);
+    sheet_ = levelSheet(*scene_.map, levels_[*look.level]);
+    sheet_level_ = look.level;
+    renderer_->AddActor(sheet_);
+  }
+  if (sheet_)
+    sheet_->SetVisibility(shown);
+}
+
+void SceneProps::showFindings(const ViewerLook& look)
+{
+  if (!marks_.empty() && marked_ == look.finding)
+    return;
+  marked_ = look.finding;
+  for (auto& mark : marks_)
+    renderer_->RemoveViewProp(mark);
+  marks_.clear();
+  for (std::size_t i = 0; i < scene_.findings.size(); ++i) {
+    const ViewedFinding& finding = scene_.findings[i];
+    if (!finding.place)
+      continue;
+    vtkNew<vtkSphereSource> ball;
+    ball->SetCenter(finding.place->data());
+    ball->SetRadius(diagonal_ * (look.finding == i ? 0.006 : 0.004));
+    ball->SetThetaResolution(24);
+    ball->SetPhiResolution(16);
+    vtkNew<vtkPolyDataMapper> mapper;
+    mapper->SetInputConnection(ball->GetOutputPort());
+    auto actor = vtkSmartPointer<vtkActor>::New();
+    actor->SetMapper(mapper);
+    const visual::Rgb colour =
+        finding.error ? visual::hex(0xB2182B) : visual::hex(0xE69F00);
+    actor->GetProperty()->SetColor(colour.r, colour.g, colour.b);
+    actor->GetProperty()->SetAmbient(0.5);
+    renderer_->AddActor(actor);
+    marks_.emplace_back(actor);
+  }
+}
+
+std::string SceneProps::momentText(const ViewerLook& look) const
+{
+  std::string text;
+  if (look.finding && *look.finding < scene_.findings.size())
+    text += std::to_string(*look.finding + 1) + " of " +
+            std::to_string(scene_.findings.size()) + ": " +
+            scene_.findings[*look.finding].text + "\n";
+  if (look.level && *look.level < levels_.size() &&
+      (look.map || look.paths == ViewedPaths::Level))
+    text += "level " + std::to_string(*look.level + 1) + " of " +
+            std::to_string(levels_.size()) + ", Z" + numberText(levels_[*look.level]) +
+            "\n";
+  if (!scene_.player || scene_.player->program().moves.empty())
+    return text;
+  const CutPlayer& player = *scene_.player;
+  const Program& program = player.program();
+  const ProgramMove& move = program.moves[player.move()];
+  text += clockText(player.time()) + " of " + clockText(player.duration());
+  text += "   " + program.where(move.line);
+  if (player.sectionOf(player.move()) < program.sections.size())
+    text += "   " + program.sections[player.sectionOf(player.move())].name;
+  if (const Tool* tool = player.tool())
+    text += "   " + tool->describe();
+  const Eigen::Vector3d tip = player.tip();
+  if (tip.allFinite()) {
+    char place[96];
+    std::snprintf(
+        place, sizeof place, "\nX%.3f Y%.3f Z%.3f", tip.x(), tip.y(), tip.z());
+    text += place;
+  }
+  else
+    text += "\nabove everything";
+  text += move.rapid ? "   rapid" : "   F" + numberText(move.feed);
+  return text;
+}
+
+std::vector<Legend> SceneProps::legendsOf(const ViewerLook& look) const
+{
+  std::vector<Legend> legends;
+  const bool paths = scene_.path && (look.paths == ViewedPaths::All ||
+                                     look.paths == ViewedPaths::Level);
+  const bool stock = look.solid == ViewedSolid::Stock && scene_.player;
+  if (paths) {
+    const PathColours colours(scene_, look.colouring);
+    legends.push_back({colours.title(), colours.legend(), colours.isGradual()});
+    if (look.rapids && !colours.isGradual())
+      legends.back().entries.push_back({visual::kFaintInk, "rapids, dashed"});
+  }
+  if (stock && !(paths && look.colouring == PathColouring::Operation)) {
+    Legend cut{"cut last by", {}, false};
+    for (const auto& o : scene_.operations)
+      cut.entries.push_back(
+          {visual::mix(visual::kOperations[o.colour % visual::kOperationCount],
+                       visual::kPage,
+                       0.42f),
+           o.name});
+    cut.entries.push_back({visual::kRawStock, "stock, not cut"});
+    legends.push_back(std::move(cut));
+  }
+  if (look.solid == ViewedSolid::Deviation && scene_.deviation) {
+    Legend bar{"deviation, mm", {}, true};
+    const double t = deviation_scale_.tolerance, end = deviation_scale_.range;
+    const auto entry = [&](double at, const std::string& words) {
+      bar.entries.push_back({deviation_scale_.at(at), words});
+    };
+    // The colours jump at the tolerance.
+    entry(-end, numberText(-end) + " too deep");
+    entry(-t * 1.001, "");
+    entry(-t * 0.999, numberText(-t));
+    entry(0, "0");
+    entry(t * 0.999, "+" + numberText(t));
+    entry(t * 1.001, "");
+    entry(end, "+" + numberText(end) + " left");
+    legends.push_back(std::move(bar));
+    legends.push_back({"", {{visual::kNeverCut, "no tool came"}}, false});
+  }
+  if (look.map && scene_.map && look.level)
+    legends.push_back({"map",
+                       {{visual::kOccupied, "part"},
+                        {visual::kFree, "free"},
+                        {visual::kProtected, "gap, protected"}},
+                       false});
+  return legends;
+}
+
+void SceneProps::showTexts(const ViewerLook& look, int room)
+{
+  overlay_.setVisible(look.texts);
+  overlay_.setTitle(scene_.title);
+  overlay_.setMoment(momentText(look), room);
+  overlay_.setLegends(legendsOf(look));
+  overlay_.layOut();
+}
+
+void SceneProps::fill(const Eigen::AlignedBox3d& box, bool beside_texts)
+{
+  const Eigen::Vector3d lo = box.min(), hi = box.max();
+  renderer_->ResetCamera(lo.x(), hi.x(), lo.y(), hi.y(), lo.z(), hi.z());
+  // The legend is on the right, figures are at the foot: what is free, from -1 to 1.
+  const Eigen::AlignedBox2d room(
+      Eigen::Vector2d(-0.94, beside_texts ? -0.78 : -0.94),
+      Eigen::Vector2d(beside_texts ? 0.72 : 0.94, beside_texts ? 0.88 : 0.94));
+  vtkCamera* camera = renderer_->GetActiveCamera();
+  constexpr int enough = 3; // perspective makes it no simple proportion
+  for (int i = 0; i < enough; ++i) {
+    Eigen::AlignedBox2d seen;
+    for (int corner = 0; corner < 8; ++corner) {
+      const Eigen::Vector3d p =
+          box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(corner));
+      Eigen::Vector3d view = p;
+      renderer_->WorldToView(view.x(), view.y(), view.z());
+      seen.extend(view.head<2>());
+    }
+    camera->Zoom((room.sizes().array() / seen.sizes().array()).minCoeff());
+    // The window's middle is given in its halves.
+    const Eigen::Vector2d off = seen.center() - room.center();
+    double now[2];
+    camera->GetWindowCenter(now);
+    camera->SetWindowCenter(now[0] + off.x(), now[1] + off.y());
+  }
+}
+
+void SceneProps::aim(const ViewerLook& look)
+{
+  struct Direction {
+    Eigen::Vector3d eye, up;
+  };
+  const Direction d = [&]() -> Direction {
+    switch (look.from) {
+    case ViewedFrom::Top:
+      return {{0, 0, 1}, {0, 1, 0}};
+    case ViewedFrom::Front:
+      return {{0, -1, 0}, {0, 0, 1}};
+    case ViewedFrom::Back:
+      return {{0, 1, 0}, {0, 0, 1}};
+    case ViewedFrom::Left:
+      return {{-1, 0, 0}, {0, 0, 1}};
+    case ViewedFrom::Right:
+      return {{1, 0, 0}, {0, 0, 1}};
+    case ViewedFrom::Iso:
+      break;
+    }
+    return {{-0.55, -1.0, 0.85}, {0, 0, 1}};
+  }();
+  vtkCamera* camera = renderer_->GetActiveCamera();
+  camera->SetFocalPoint(0, 0, 0);
+  camera->SetPosition(d.eye.x(), d.eye.y(), d.eye.z());
+  camera->SetViewUp(d.up.x(), d.up.y(), d.up.z());
+  camera->SetViewAngle(25);
+  camera->SetWindowCenter(0, 0);
+  camera->SetParallelProjection(look.from != ViewedFrom::Iso); // sizes are comparable
+  if (box_.isEmpty())
+    renderer_->ResetCamera();
+  else
+    fill(look.paths == ViewedPaths::All || look.paths == ViewedPaths::Level
+             ? box_with_paths_
+             : box_,
+         look.texts);
+  if (look.finding && *look.finding < scene_.findings.size() &&
+      scene_.findings[*look.finding].place) {
+    const Eigen::Vector3d& at = *scene_.findings[*look.finding].place;
+    const double near = 0.5 * diagonal_;
+    const Eigen::Vector3d eye = at + near * d.eye.normalized();
+    camera->SetFocalPoint(at.x(), at.y(), at.z());
+    camera->SetPosition(eye.x(), eye.y(), eye.z());
+  }
+  renderer_->ResetCameraClippingRange();
+}
+
+} // namespace pointmill::viewer

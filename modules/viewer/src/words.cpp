@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the PointMill authors
+#include "words.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace pointmill::viewer {
+
+std::string numberText(double value)
+{
+  char text[32];
+  std::snprintf(text, sizeof text, "%.4g", std::abs(value) < 5e-4 ? 0.0 : value);
+  return text;
+}
+
+std::string clockText(double seconds)
+{
+  const auto all = static_cast<long>(std::floor(std::max(0.0, seconds)));
+  char text[32];
+  std::snprintf(
+      text, sizeof text, "%ld:%02ld:%02ld", all / 3600, all / 60 % 60, all % 60);
+  return text;
+}
+
+visual::Rgb scaleColour(float share)
+{
+  constexpr visual::Rgb stops[] = {visual::hex(0x440154),
+                                   visual::hex(0x3B528B),
+                                   visual::hex(0x21918C),
+                                   visual::hex(0x5EC962),
+                                   visual::hex(0xE8D21D)};
+  const float s = std::clamp(share, 0.f, 1.f) * 4.f;
+  const int i = std::min(static_cast<int>(s), 3);
+  return visual::mix(stops[i], stops[i + 1], s - static_cast<float>(i));
+}
+
+} // namespace pointmill::viewer
