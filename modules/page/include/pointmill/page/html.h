@@ -20,7 +20,7 @@ std::string base64(std::string_view bytes);
 class Html {
 public:
   Html() = default;
-  // NOLINTNEXTLINE(google-explicit-constructor): texts are to be as good as HTML
+  // Not explicit: texts are to be as good as HTML.
   Html(std::string_view text) : html_(escaped(text)) {}
   Html(const std::string& text) : Html(std::string_view(text)) {}
   Html(const char* text) : Html(std::string_view(text)) {}
