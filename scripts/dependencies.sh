@@ -13,8 +13,9 @@ set -euo pipefail
 packages_of() {
   case $1 in
     build) echo g++ cmake ninja-build ccache libpcl-dev libcli11-dev nlohmann-json3-dev \
-                libyaml-cpp-dev ;;
-    test)  echo libgtest-dev linuxcnc-uspace xvfb xdotool ;; # the first for rs274
+                libyaml-cpp-dev libjs-three ;;
+    # LinuxCNC's interpreter reads programs, Chromium shows pages, xdotool uses the viewer.
+    test)  echo libgtest-dev linuxcnc-uspace xvfb xdotool chromium ;;
     check) echo clang-format-14 ;;
     tidy)  echo clang clang-tidy ;;
     bench) echo libbenchmark-dev python3-minimal ;;

@@ -57,6 +57,10 @@ CLI::App* declareCheck(CLI::App& app, CheckCommand& command)
       ->type_name("PNG");
   check
       ->add_option(
+          "--report", command.page, "write a page with figures, findings and a 3D view")
+      ->type_name("HTML");
+  check
+      ->add_option(
           "--deviation",
           command.deviation,
           "write what is left over each point of the scan as a cloud (intensity, mm)")
@@ -87,11 +91,12 @@ int runCheck(const CheckCommand& command)
     return 3;
   }
   const Verification& v = judgement.verification;
+  const std::string title =
+      std::filesystem::path(command.programs.front()).filename().string();
   if (!command.picture.empty())
-    writeFindings(command.picture,
-                  std::filesystem::path(command.programs.front()).filename().string(),
-                  judgement,
-                  criteria);
+    writeFindings(command.picture, title, judgement, criteria);
+  if (!command.page.empty())
+    writeCheckPage(command.page, title, judgement, criteria);
   if (!command.deviation.empty())
     writeCloud(command.deviation, v.deviations);
   if (!command.milled.empty())

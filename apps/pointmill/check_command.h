@@ -10,7 +10,7 @@
 /// @brief What `pointmill check` was told on its command line.
 struct CheckCommand {
   std::vector<std::string> programs; ///< in the order of machining
-  std::string directory, post, picture, deviation, milled;
+  std::string directory, post, picture, page, deviation, milled;
   int mounted = 0;
   bool corners_by_control = false;
   bool quiet = false;

@@ -110,8 +110,12 @@ TEST_F(DemoOptions, AnAxisMayBeNegative)
   EXPECT_EQ(read("a.pcd"), read("b.pcd"));
 }
 
-TEST_F(DemoOptions, WithoutADisplayAViewIsRefused)
+TEST_F(DemoOptions, AViewIsSavedWithoutADisplayAWindowIsRefused)
 {
   unsetenv("DISPLAY");
-  bad(2, "no display", "pm_align " POINTMILL_DATA "/dome.pcd --png view", "view");
+  good("pm_align " POINTMILL_DATA "/dome.pcd --png view.png");
+  EXPECT_EQ(read("view.png").substr(1, 3), "PNG");
+  bad(2, "no display", "pm_align " POINTMILL_DATA "/dome.pcd out.pcd --show", "other");
+  setenv("DISPLAY", ":987", 1); // nobody answers there
+  bad(2, "no display", "pm_align " POINTMILL_DATA "/dome.pcd out.pcd --show", "other");
 }

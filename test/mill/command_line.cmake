@@ -141,7 +141,7 @@ endif()
 run(3 "verification.*residual.*refused.png" mill ${DATA}/dome.pcd -o refused
     --finish-allowance 0.3 --residual-limit 0.05)
 file(GLOB written RELATIVE ${WORK}/refused ${WORK}/refused/*)
-if(NOT written STREQUAL "refused.json;refused.png")
+if(NOT written STREQUAL "refused.html;refused.json;refused.png")
   message(SEND_ERROR "a refused job wrote ${written}")
 endif()
 
@@ -159,8 +159,8 @@ run(0 "^$" mill ${DATA}/dome.pcd --quiet)
 file(WRITE ${WORK}/drill.ngc "G21 G81 X1 Y1 Z-3 R1 F100\n")
 # check: the same program, one that is wrong, one that is none, and no job
 run(0 "passed\n$" check good/program.ngc --dir good --picture good/findings.png
-    --deviation good/deviation.pcd --milled good/milled.stl)
-foreach(name findings.png deviation.pcd milled.stl)
+    --deviation good/deviation.pcd --milled good/milled.stl --report good/check.html)
+foreach(name findings.png deviation.pcd milled.stl check.html)
   if(NOT EXISTS ${WORK}/good/${name})
     message(SEND_ERROR "good/${name} is missing")
   endif()

@@ -151,6 +151,18 @@ TEST(MillProgram, ANewJobLeavesNoFileOfAnOldProgram)
   EXPECT_TRUE(fs::exists(folder / "nc/program.ngc"));
 }
 
+TEST(MillProgram, IsWrittenWhateverTheScanIsCalled)
+{
+  const TempDir folder;
+  const std::string name = "my part (1), \xC3\xA4 scan of last week's second try.pcd";
+  fs::copy_file(data("dome.pcd"), folder / name);
+  MillOptions options = coarse();
+  options.writer.setToolChange(ToolChange::Program);
+  MillJob job(options);
+  ASSERT_NO_THROW(job.plan((folder / name).string()));
+  EXPECT_EQ(job.programs().size(), 3u);
+}
+
 TEST(MillProgram, ARefusalSaysWhyAndWritesNoProgram)
 {
   const TempDir folder;

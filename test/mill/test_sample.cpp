@@ -74,10 +74,12 @@ TEST_F(Sample, AllFilesAreWrittenAndNothingElse)
             (std::vector<std::string>{"bridges.pcd",
                                       "cl.pcd",
                                       "curvature.png",
+                                      "deviation.pcd",
                                       "deviation.png",
                                       "gaps.png",
                                       "heights.png",
                                       "levels.png",
+                                      "map.pcd",
                                       "model.pcd",
                                       "occupancy_1.png",
                                       "occupancy_2.png",
@@ -85,6 +87,7 @@ TEST_F(Sample, AllFilesAreWrittenAndNothingElse)
                                       "part.pcd",
                                       "preview.png",
                                       "program.ngc",
+                                      "report.html",
                                       "report.json"}));
   EXPECT_EQ(contents(file("program.ngc")), job().programs().front().text);
   for (const char* picture : {"preview.png", "occupancy_2.png"})

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the PointMill authors
+#include "finding_scene.h"
 #include "print.h"
 
 #include <pointmill/common/error.h>
 #include <pointmill/mill/check.h>
-#include <pointmill/visual/finding_picture.h>
 
 #include <algorithm>
 #include <cmath>
@@ -153,19 +153,17 @@ std::string summaryOf(const Judgement& judgement, const Criteria& criteria)
   return text + (v.good() ? "passed\n" : "refused\n");
 }
 
-void writeFindings(const std::string& path,
-                   const std::string& title,
-                   const Judgement& judgement,
-                   const Criteria& criteria)
+FindingPicture::FindingPicture(const std::string& title,
+                               const Judgement& judgement,
+                               const Criteria& criteria)
+    : part_(criteria.part->toCloud())
 {
   const Verification& v = judgement.verification;
-  const pcl::PointCloud<pcl::PointXYZ> part = criteria.part->toCloud();
-  FindingScene scene;
-  scene.title = title;
-  scene.part = &part;
-  scene.milled = &v.milled;
-  scene.stock = criteria.stock;
-  scene.tools = criteria.tools;
+  scene_.title = title;
+  scene_.part = &part_;
+  scene_.milled = &v.milled;
+  scene_.stock = criteria.stock;
+  scene_.tools = criteria.tools;
   for (const auto& f : v.findings) {
     FindingMark mark;
     mark.code = f.code;
@@ -186,9 +184,16 @@ void writeFindings(const std::string& path,
         mark.move.push_back(m->from);
       mark.move.push_back(m->to);
     }
-    scene.findings.push_back(std::move(mark));
+    scene_.findings.push_back(std::move(mark));
   }
-  writeFindings(path, scene);
+}
+
+void writeFindings(const std::string& path,
+                   const std::string& title,
+                   const Judgement& judgement,
+                   const Criteria& criteria)
+{
+  writeFindings(path, FindingPicture(title, judgement, criteria).scene());
 }
 
 } // namespace pointmill

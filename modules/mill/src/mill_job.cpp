@@ -25,6 +25,20 @@ std::string joined(const std::vector<std::string>& lines, const std::string& bet
   return text;
 }
 
+/// The scan's name as every control takes it for a program's; the suffix of one of
+/// several files finds room behind it.
+std::string programName(const std::string& scan)
+{
+  constexpr std::size_t longest = 24;
+  std::string name = std::filesystem::path(scan).stem().string().substr(0, longest);
+  for (char& c : name) {
+    const bool good = (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') ||
+                      (c >= '0' && c <= '9') || c == '_' || c == '-';
+    c = good ? c : '_';
+  }
+  return name;
+}
+
 } // namespace
 
 void MillJob::timed(const std::string& stage,
@@ -93,7 +107,7 @@ void MillJob::writeProgram(const std::vector<std::string>& remarks)
   writer.addComment("part " + scan_name_);
   for (const auto& line : setUp())
     writer.addComment(line);
-  writer.setProgramName(std::filesystem::path(scan_name_).stem().string());
+  writer.setProgramName(programName(scan_name_));
   writer.setStock(stock_);
   writer.setClearancePlane(clearancePlane());
   writer.setLowRapids(true); // LinkPasses proves them

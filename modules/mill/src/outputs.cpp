@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the PointMill authors
+#include "job_page.h"
 #include "report.h"
 
 #include <pointmill/io/write_cloud.h>
@@ -147,6 +148,7 @@ const char* const kMayBeOld[] = {"gaps.png",
                                  "bridges.pcd",
                                  "raw_part.pcd",
                                  "refused.png",
+                                 "refused.html",
                                  "refused.json"};
 
 /// The files of an earlier job's program, by its report.
@@ -243,6 +245,10 @@ void MillJob::write(const std::string& directory)
       writeFindings(in("findings.png"), scan_name_, judgement_, criteria_);
     }
   });
+  timed("page", 0.93, [&] {
+    writeJobPage(in("report.html"), *this, scan_name_, names, true);
+    names.push_back("report.html");
+  });
   timed("files", 0.95, [&] {
     names.push_back("part.pcd");
     writeCloud(in("part.pcd"), *part_);
@@ -278,6 +284,17 @@ void MillJob::writeRefusal(const std::string& directory)
       (staging.path() / "refused.png").string(), scan_name_, judgement_, criteria_);
   writeFileAtomically((staging.path() / "refused.json").string(),
                       [&](std::ostream& out) { out << reportJson(*this, scan_name_); });
+  // What was planned is shown there, lest it be taken for a result beside it.
+  const auto in = [&](const std::string& name) {
+    return (staging.path() / name).string();
+  };
+  writePreview(in("preview.png"), sceneOf(*this, scan_name_));
+  writeDeviation(in("deviation.png"), verification().deviations, options_.tolerance);
+  writeJobPage(in("refused.html"),
+               *this,
+               scan_name_,
+               {"refused.png", "preview.png", "deviation.png"},
+               false);
   earlier_program_ = false;
   for (const auto& name : programsIn(directory)) {
     std::error_code failure;
@@ -289,7 +306,8 @@ void MillJob::writeRefusal(const std::string& directory)
       throw DataError(old.string() + ": cannot be renamed: " + failure.message());
     earlier_program_ = true;
   }
-  install(staging.path(), directory, {"refused.png", "refused.json"}, {});
+  install(
+      staging.path(), directory, {"refused.png", "refused.html", "refused.json"}, {});
 }
 
 } // namespace pointmill

@@ -274,6 +274,7 @@ std::string summaryOf(const MillJob& job, const std::string& directory)
   for (const auto& program : job.programs())
     text += "program    " + at(program.name.c_str());
   text += "picture    " + at("preview.png");
+  text += "page       " + at("report.html");
   text += "report     " + at("report.json");
   return text;
 }

@@ -215,7 +215,18 @@ void drawScale(Canvas& canvas,
   mark(scale.range, 0, text("+%.3g mm", scale.range));
 }
 
+double rangeOf(const Figures& figures, double tolerance)
+{
+  return std::clamp(roundUp(figures.most), 4 * tolerance, 10 * tolerance);
+}
+
 } // namespace
+
+double deviationRange(const pcl::PointCloud<pcl::PointXYZI>& deviation,
+                      double tolerance)
+{
+  return rangeOf(Figures(deviation, tolerance), tolerance);
+}
 
 void writeDeviation(const std::string& path,
                     const pcl::PointCloud<pcl::PointXYZI>& deviation,
@@ -227,8 +238,7 @@ void writeDeviation(const std::string& path,
   if (box.isEmpty() || !(box.sizes().head<2>().minCoeff() > 0))
     throw DataError("the deviation has no points that span an area");
   const Figures figures(deviation, tolerance);
-  const DeviationScale scale{
-      tolerance, std::clamp(roundUp(figures.most), 4 * tolerance, 10 * tolerance)};
+  const DeviationScale scale{tolerance, rangeOf(figures, tolerance)};
   const CellCloud map = closed(mapOf(deviation, box, cellFor(deviation, box)));
   const Grid grid(map, "the map of the deviation");
   CellSheet sheet(

@@ -6,6 +6,7 @@
 #include "finding_map.h"
 #include "section_panel.h"
 
+#include <pointmill/common/error.h>
 #include <pointmill/common/parameters.h>
 #include <pointmill/visual/finding_picture.h>
 
@@ -19,6 +20,7 @@ using namespace visual;
 constexpr int kUnits = 200; ///< to the picture's width; all sizes follow
 constexpr int kMargin = 3, kBetween = 2, kTitle = 8; ///< units
 constexpr int kFirstRow = 78, kNextRow = 66;         ///< heights of cards [units]
+constexpr int kCardUnits = 96; ///< to the width of a section alone
 constexpr std::size_t kSections = 3;
 
 bool hasPlace(const FindingMark& mark)
@@ -110,9 +112,9 @@ struct Cards {
   int unit, left, y, card_width, full_width, count = 0;
 };
 
-void check(const FindingScene& scene, int width)
+void check(const FindingScene& scene, int width, const Range& range)
 {
-  checkRange("picture of the findings", "width", width, "px", {1000, 3000});
+  checkRange("picture of the findings", "width", width, "px", range);
   for (const Tool& tool : scene.tools)
     tool.validate();
 }
@@ -121,7 +123,7 @@ void check(const FindingScene& scene, int width)
 
 void writeFindings(const std::string& path, const FindingScene& scene, int width)
 {
-  check(scene, width);
+  check(scene, width, {1000, 3000});
   const int unit = width / kUnits;
   std::optional<Grid> milled;
   if (scene.milled)
@@ -174,6 +176,32 @@ void writeFindings(const std::string& path, const FindingScene& scene, int width
   if (!sections.empty())
     key.draw(canvas, key_place.x, key_place.y);
   writePng(path, canvas);
+}
+
+bool writeSection(const std::string& path,
+                  const FindingScene& scene,
+                  std::size_t finding,
+                  int width)
+{
+  check(scene, width, {500, 2000});
+  if (finding >= scene.findings.size())
+    throw ParameterError("picture of a finding: there is no finding " +
+                         std::to_string(finding));
+  if (!hasPlace(scene.findings[finding]))
+    return false;
+  std::optional<Grid> milled;
+  if (scene.milled)
+    milled.emplace(*scene.milled, "the milled part");
+  std::vector<Section> sections;
+  sections.emplace_back(scene, milled, scene.findings[finding]);
+  const int unit = width / kCardUnits;
+  const Key key = sectionKey(scene, sections, width - 2 * unit, unit);
+  const int height = kNextRow * unit;
+  Canvas canvas(width, height + key.height() + 2 * unit, kPage);
+  drawSection(canvas, {0, 0, width, height}, sections.front(), finding + 1, unit);
+  key.draw(canvas, unit, height + unit);
+  writePng(path, canvas);
+  return true;
 }
 
 } // namespace pointmill

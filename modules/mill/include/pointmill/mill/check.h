@@ -62,4 +62,11 @@ void writeFindings(const std::string& path,
                    const Judgement& judgement,
                    const Criteria& criteria);
 
+/// @brief Writes the same as a page that people look at, with figures and a 3D view;
+/// see doc/report_page.md.
+void writeCheckPage(const std::string& path,
+                    const std::string& title,
+                    const Judgement& judgement,
+                    const Criteria& criteria);
+
 } // namespace pointmill

@@ -25,4 +25,8 @@ void writeDeviation(const std::string& path,
                     double tolerance,
                     const std::string& title = "deviation from the part");
 
+/// @brief Where the colours of that map end [mm].
+double deviationRange(const pcl::PointCloud<pcl::PointXYZI>& deviation,
+                      double tolerance);
+
 } // namespace pointmill

@@ -63,4 +63,15 @@ void writeFindings(const std::string& path,
                    const FindingScene& scene,
                    int width = 1800);
 
+/// @brief Writes the section through the place of one of the scene's findings, whether
+/// it is among the worst or not, with its key.
+/// @param finding its place in the list, from 0
+/// @param width of the picture [px], 500 .. 2000
+/// @return whether it has a place; without one nothing is written
+/// @throws as writeFindings(), and ParameterError where there is no such finding
+bool writeSection(const std::string& path,
+                  const FindingScene& scene,
+                  std::size_t finding,
+                  int width = 900);
+
 } // namespace pointmill
