@@ -3,6 +3,7 @@
 #include "print.h"
 
 #include <pointmill/common/error.h>
+#include <pointmill/common/watch.h>
 #include <pointmill/mill/check.h>
 #include <pointmill/visual/finding_picture.h>
 
@@ -13,6 +14,8 @@
 
 namespace pointmill {
 namespace {
+
+constexpr double kReadShare = 0.05; // of the work of judging
 
 std::string withPlace(const std::string& file, const std::string& what)
 {
@@ -65,7 +68,10 @@ Judgement judge(std::vector<ProgramStream> files, const Criteria& criteria, int 
   reader.setMountedTool(mounted);
   reader.setChordError(criteria.arc_error);
   Judgement judgement;
-  for (auto& file : files) {
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    auto& file = files[i];
+    const WorkStep step({kReadShare * double(i) / double(files.size()),
+                         kReadShare * double(i + 1) / double(files.size())});
     try {
       Program program = reader.read(*file.text);
       if (files.size() == 1)
@@ -77,6 +83,7 @@ Judgement judge(std::vector<ProgramStream> files, const Criteria& criteria, int 
       throw DataError(withPlace(file.name, e.what()));
     }
   }
+  const WorkStep step({kReadShare, 1.0});
   judgement.verification = criteria.judge(judgement.program);
   ProgramTimeOptions options;
   if (criteria.form == ProgramForm::Grbl)
