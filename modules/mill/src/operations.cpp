@@ -37,8 +37,10 @@ void MillJob::link(PlannedOperation& planned, const CLCloud& passes, double lead
     planned.parameters.push_back(p);
   for (const auto& f : linker.getReport().figures())
     planned.report.set("link_" + f.first, f.second);
+  checkInterrupted();
   planned.figures = measurePath(
       planned.operation.path, options_.machine.rapid_rate, linker.getCutFigures());
+  checkInterrupted();
   planned.volume_left = volumeLeft();
 }
 

@@ -168,6 +168,7 @@ Gouges sweepPoints(const PointIndex& part,
   const int columns = (tiles.columns() + kBlock - 1) / kBlock;
   Bands bands(part.min().y(), edge, (tiles.rows() + kBlock - 1) / kBlock);
   for (std::size_t i = 0; i < stretches.size(); ++i) {
+    checkInterrupted();
     const MoveStretch& s = stretches[i];
     bands.add(i, s.a.y(), s.b.y(), s.cutter->radius() + s.aside);
   }
