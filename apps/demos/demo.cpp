@@ -2,6 +2,9 @@
 // Copyright (c) 2026, the PointMill authors
 #include "demo.h"
 
+#include "progress/progress_line.h"
+#include "progress/stop_on_signal.h"
+
 #include <pointmill/common/error.h>
 #include <pointmill/common/nearest_name.h>
 #include <pointmill/viewer/add_cloud.h>
@@ -10,6 +13,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <iostream>
+#include <optional>
 
 using namespace pointmill;
 
@@ -151,10 +155,22 @@ int Demo::run(int argc, char** argv, const std::function<void()>& body)
     app_.parse(arguments(argc, argv));
     if (output_.empty() && png_.empty() && !window_)
       throw ParameterError("name a file for the result, or --show or --png");
-    body();
+    {
+      Watch watch;
+      stopOnSignal(watch);
+      std::optional<ProgressLine> line;
+      if (!quiet_)
+        line.emplace(watch);
+      body();
+    }
+    signalsAsBefore();
+    show();
   }
   catch (const CLI::ParseError& e) {
     return e.get_exit_code() == 0 ? app_.exit(e) : fail(e.what() + help, 1);
+  }
+  catch (const Interrupted& e) {
+    return fail(e.what(), interruptedExitCode());
   }
   catch (const VerificationError& e) {
     return fail(e.what(), 3);
@@ -187,13 +203,14 @@ void Demo::printReport(const Report& report) const
     print(figure, text(value));
 }
 
-void Demo::showFields(const pcl::PCLPointCloud2& cloud)
+void Demo::show() const
 {
+  if (!shown_)
+    return;
   const std::string file = std::filesystem::path(output_).filename().string();
   ViewerScene scene;
   scene.title = name_ + (file.empty() ? "" : " - " + file);
-  addCloud(
-      scene, scene.title, pcl::PCLPointCloud2::Ptr(new pcl::PCLPointCloud2(cloud)));
+  addCloud(scene, scene.title, shown_);
   ViewerLook look = lookFor(scene);
   look.point_size = point_size_;
   look.axes = axes_;

@@ -104,12 +104,13 @@ private:
   void printRun(std::size_t in, std::size_t out, double seconds) const;
   void printReport(const pointmill::Report& report) const;
   template <typename PointT>
-  void show(const pcl::PointCloud<PointT>& cloud);
-  void showFields(const pcl::PCLPointCloud2& cloud);
+  void keep(const pcl::PointCloud<PointT>& cloud);
+  void show() const;
 
   std::string name_, output_, png_;
   CLI::App app_;
   std::map<std::string, std::vector<Setter>> setters_; // by option
+  pcl::PCLPointCloud2::Ptr shown_;                     // when all is done
   bool window_ = false, quiet_ = false;
   double point_size_ = 2.0, axes_ = 0.0;
   std::vector<float> background_{255, 255, 255};
@@ -164,7 +165,7 @@ void Demo::finish(const pcl::PointCloud<PointT>& cloud)
 {
   if (!output_.empty())
     pointmill::writeCloud(output_, cloud);
-  show(cloud);
+  keep(cloud);
 }
 
 template <typename PointT>
@@ -172,15 +173,14 @@ void Demo::finish(const std::string& text, const pcl::PointCloud<PointT>& cloud)
 {
   if (!output_.empty())
     pointmill::writeFileAtomically(output_, [&](std::ostream& out) { out << text; });
-  show(cloud);
+  keep(cloud);
 }
 
 template <typename PointT>
-void Demo::show(const pcl::PointCloud<PointT>& cloud)
+void Demo::keep(const pcl::PointCloud<PointT>& cloud)
 {
   if (!window_ && png_.empty())
     return;
-  pcl::PCLPointCloud2 shown;
-  pcl::toPCLPointCloud2(cloud, shown);
-  showFields(shown);
+  shown_ = std::make_shared<pcl::PCLPointCloud2>();
+  pcl::toPCLPointCloud2(cloud, *shown_);
 }

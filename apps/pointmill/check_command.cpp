@@ -7,13 +7,18 @@
 #include <pointmill/io/write_cloud.h>
 #include <pointmill/io/write_mesh.h>
 #include <pointmill/mill/check.h>
+#include <pointmill/mill/result.h>
 
 #include <filesystem>
 #include <iostream>
+#include <optional>
 
 using namespace pointmill;
 
 namespace {
+
+/// Where of the work reading ends, and where judging does.
+constexpr double kReadShare = 0.05, kVerifyShare = 0.9;
 
 /// The stock as it is left: cells as a cloud, or the solid.
 void writeMilled(const std::string& path, const CellCloud& milled, double bottom)
@@ -22,6 +27,24 @@ void writeMilled(const std::string& path, const CellCloud& milled, double bottom
     writeCloud(path, milled);
   else
     writeMesh(path, milled, bottom);
+}
+
+/// The files that were asked for.
+void writeFiles(const CheckCommand& command,
+                const Judgement& judgement,
+                const Criteria& criteria)
+{
+  const Verification& v = judgement.verification;
+  const std::string title =
+      std::filesystem::path(command.programs.front()).filename().string();
+  if (!command.picture.empty())
+    writeFindings(command.picture, title, judgement, criteria);
+  if (!command.page.empty())
+    writeCheckPage(command.page, title, judgement, criteria);
+  if (!command.deviation.empty())
+    writeCloud(command.deviation, v.deviations);
+  if (!command.milled.empty())
+    writeMilled(command.milled, v.milled, criteria.stock.min.z());
 }
 
 } // namespace
@@ -69,13 +92,18 @@ CLI::App* declareCheck(CLI::App& app, CheckCommand& command)
       ->add_option(
           "--milled", command.milled, "write what the program leaves of the stock")
       ->type_name("PLY|STL|PCD");
-  check->add_flag("-q,--quiet", command.quiet, "print nothing but errors");
+  command.output.declareQuiet(*check);
+  command.output.declareJson(*check);
   return check;
 }
 
-int runCheck(const CheckCommand& command)
+int runCheck(const CheckCommand& command, const Watch& watch)
 {
-  Criteria criteria = Criteria::read(command.directory);
+  std::optional<ShownProgress> shown(std::in_place, watch, command.output);
+  Criteria criteria = [&] {
+    const WorkStep step("read", {0.0, kReadShare});
+    return Criteria::read(command.directory);
+  }();
   criteria.corners_by_control |= command.corners_by_control;
   auto files = openPrograms(command.programs);
   if (!command.post.empty())
@@ -84,24 +112,29 @@ int runCheck(const CheckCommand& command)
     criteria.form = formOf(files.front(), criteria.form);
   Judgement judgement;
   try {
+    const WorkStep step("verify", {kReadShare, kVerifyShare});
     judgement = judge(std::move(files), criteria, command.mounted);
   }
   catch (const DataError& e) {
-    std::cout << "error unreadable: " << e.what() << "\nrefused\n";
+    shown.reset();
+    if (command.output.json)
+      return writeError(3, "refused", e.what());
+    std::cout << forPeople("error unreadable: " + std::string(e.what()) +
+                           "\nrefused\n");
     return 3;
   }
-  const Verification& v = judgement.verification;
-  const std::string title =
-      std::filesystem::path(command.programs.front()).filename().string();
-  if (!command.picture.empty())
-    writeFindings(command.picture, title, judgement, criteria);
-  if (!command.page.empty())
-    writeCheckPage(command.page, title, judgement, criteria);
-  if (!command.deviation.empty())
-    writeCloud(command.deviation, v.deviations);
-  if (!command.milled.empty())
-    writeMilled(command.milled, v.milled, criteria.stock.min.z());
-  if (!command.quiet)
-    std::cout << summaryOf(judgement, criteria);
-  return v.good() ? 0 : 3;
+  {
+    const WorkStep step("files", {kVerifyShare, 1.0});
+    writeFiles(command, judgement, criteria);
+  }
+  shown.reset();
+  const bool good = judgement.verification.good();
+  const int code = good ? 0 : 3;
+  if (command.output.json)
+    writeResult(code,
+                good ? "passed" : "refused",
+                Json::parse(resultJson(judgement, criteria)));
+  else if (!command.output.quiet)
+    std::cout << forPeople(summaryOf(judgement, criteria));
+  return code;
 }

@@ -2,6 +2,8 @@
 // Copyright (c) 2026, the PointMill authors
 #pragma once
 
+#include "output.h"
+
 #include <CLI/CLI.hpp>
 
 #include <string>
@@ -13,11 +15,11 @@ struct CheckCommand {
   std::string directory, post, picture, page, deviation, milled;
   int mounted = 0;
   bool corners_by_control = false;
-  bool quiet = false;
+  OutputOptions output;
 };
 
 /// @brief Declares the command and its options.
 CLI::App* declareCheck(CLI::App& app, CheckCommand& command);
 
 /// @brief Does what the command says. @return the exit code: 0 passed, 3 refused
-int runCheck(const CheckCommand& command);
+int runCheck(const CheckCommand& command, const pointmill::Watch& watch);

@@ -2,6 +2,8 @@
 // Copyright (c) 2026, the PointMill authors
 #include "cutting_command.h"
 
+#include "cutting_json.h"
+
 #include <pointmill/common/error.h>
 
 #include <algorithm>
@@ -128,6 +130,7 @@ CLI::App* declareCutting(CLI::App& app, CuttingCommand& command)
   cutting->add_flag("--list", command.list, "print the materials and their data");
   cutting->add_option("--material", command.material, "one of --list")
       ->type_name("NAME");
+  command.output.declareJson(*cutting);
   command.tool.declare(*cutting, "Tool", Tool::flat(1, 6.0));
   cutting->add_flag("--hss", command.hss, "of high-speed steel, not carbide")
       ->group("Tool");
@@ -184,7 +187,10 @@ CLI::App* declareCutting(CLI::App& app, CuttingCommand& command)
 int runCutting(const CuttingCommand& command)
 {
   if (command.list) {
-    printList();
+    if (command.output.json)
+      writeResult(0, "done", materialsJson());
+    else
+      printList();
     return 0;
   }
   if (command.material.empty())
@@ -201,6 +207,10 @@ int runCutting(const CuttingCommand& command)
   cut.tool = command.tool.toolFrom(Tool::flat(1, 6.0));
   cut.kind = command.kind == "roughing" ? CutKind::Roughing : CutKind::Finishing;
   cut.tool_material = command.hss ? ToolMaterial::Hss : ToolMaterial::Carbide;
-  print(command, cut, cuttingData(cut, command.machine));
+  const CuttingData data = cuttingData(cut, command.machine);
+  if (command.output.json)
+    writeResult(0, "done", cuttingJson(command, cut, data));
+  else
+    print(command, cut, data);
   return 0;
 }

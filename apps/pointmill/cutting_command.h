@@ -2,6 +2,7 @@
 // Copyright (c) 2026, the PointMill authors
 #pragma once
 
+#include "output.h"
 #include "tool_options.h"
 
 #include <pointmill/common/cutting_data.h>
@@ -20,6 +21,7 @@ struct CuttingCommand {
   std::string kind = "roughing";
   std::optional<double> length, volume; ///< to mill [mm], [cm3]
   bool list = false, hss = false;
+  OutputOptions output;
 };
 
 /// @brief Declares the command and its options.

@@ -7,15 +7,12 @@
 
 #include <pointmill/common/cutting_data.h>
 #include <pointmill/mill/mill_job.h>
+#include <pointmill/mill/result.h>
 #include <pointmill/mill/summary.h>
 
-#include <boost/timer/progress_display.hpp>
-
-#include <chrono>
-#include <csignal>
 #include <filesystem>
 #include <iostream>
-#include <unistd.h>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -37,27 +34,6 @@ void declareJob(CLI::App& app, const std::string& what, ToolOptions& tool, ToolJ
   add("-plunge-feed", job.cutting.plunge_feed, "MM/MIN", "fastest feed downwards");
 }
 
-volatile std::sig_atomic_t interrupted = 0;
-
-/// A bar on the terminal for what takes over a second.
-class Bar {
-public:
-  void operator()(const std::string&, double done)
-  {
-    const std::chrono::duration<double> since =
-        std::chrono::steady_clock::now() - start_;
-    if (!bar_ && since.count() > 1.0)
-      bar_ = std::make_unique<boost::timer::progress_display>(100, std::cerr);
-    if (bar_)
-      *bar_ += static_cast<unsigned long>(100 * done) - bar_->count();
-  }
-  void finish() { (*this)("", 1.0); }
-
-private:
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-  std::unique_ptr<boost::timer::progress_display> bar_;
-};
-
 } // namespace
 
 CLI::App* declareMill(CLI::App& app, MillCommand& command)
@@ -72,7 +48,8 @@ CLI::App* declareMill(CLI::App& app, MillCommand& command)
   mill->add_option(
           "-o,--output", command.directory, "directory; default: SCAN's name + _nc")
       ->type_name("DIR");
-  mill->add_flag("-q,--quiet", command.quiet, "print nothing but errors");
+  command.output.declareQuiet(*mill);
+  command.output.declareJson(*mill);
 
   declareScan(*mill, command);
   declareAccuracy(*mill, command);
@@ -158,7 +135,7 @@ void completeOptions(MillCommand& command)
 
 } // namespace
 
-int runMill(MillCommand& command)
+int runMill(MillCommand& command, const Watch& watch)
 {
   completeOptions(command);
   const MillOptions& o = command.options;
@@ -167,35 +144,30 @@ int runMill(MillCommand& command)
 
   MillJob::checkDirectory(command.scan, command.directory);
   MillJob job(o);
-  Bar bar;
-  const bool shown = !command.quiet && isatty(STDERR_FILENO);
-  const auto stop = [](int signal) {
-    interrupted = 1;
-    std::signal(signal, SIG_DFL); // the second one stops at once
-  };
-  std::signal(SIGINT, stop);
-  std::signal(SIGTERM, stop);
-  job.setProgress([&](const std::string& stage, double done) {
-    if (interrupted) // between two stages, so that nothing stays half written
-      throw Interrupted();
-    if (shown)
-      bar(stage, done);
-  });
+  std::optional<ShownProgress> shown(std::in_place, watch, command.output);
   try {
     job.plan(command.scan);
   }
   catch (const VerificationError& e) {
     job.writeRefusal(command.directory);
-    throw VerificationError(
+    const std::string why =
         std::string(e.what()) + "\n" +
         (std::filesystem::path(command.directory) / "refused.png").string() +
         " shows it" +
-        (job.earlierProgram() ? "; the program of an earlier job was renamed" : ""));
+        (job.earlierProgram() ? "; the program of an earlier job was renamed" : "");
+    shown.reset();
+    if (!command.output.json)
+      throw VerificationError(why);
+    return writeError(
+        3, "refused", why, Json::parse(resultJson(job, command.directory)));
   }
   job.write(command.directory);
-  if (shown)
-    bar.finish();
-  if (!command.quiet)
-    std::cout << summaryOf(job, command.directory);
+  shown.reset();
+  if (command.output.json)
+    writeResult(0,
+                job.verification().good() ? "passed" : "forced",
+                Json::parse(resultJson(job, command.directory)));
+  else if (!command.output.quiet)
+    std::cout << forPeople(summaryOf(job, command.directory));
   return 0;
 }

@@ -2,6 +2,7 @@
 // Copyright (c) 2026, the PointMill authors
 #pragma once
 
+#include "output.h"
 #include "tool_options.h"
 
 #include <pointmill/mill/mill_options.h>
@@ -27,17 +28,9 @@ struct MillCommand {
   double keep_out_margin = pointmill::KeepOut().margin();
   std::vector<double> polygon; ///< X and Y in turn
   std::vector<std::pair<double, double>> through_holes;
-  bool quiet = false, no_square = false, keep_strays = false, no_coolant = false;
+  OutputOptions output;
+  bool no_square = false, keep_strays = false, no_coolant = false;
   bool no_arcs = false;
-};
-
-/// @brief Thrown when the user stops the program (Ctrl-C); nothing was written.
-class Interrupted : public std::exception {
-public:
-  const char* what() const noexcept override
-  {
-    return "interrupted, nothing was written";
-  }
 };
 
 /// @name The options of `mill` by their groups
@@ -54,4 +47,4 @@ void declareOperations(CLI::App& mill, MillCommand& command);
 CLI::App* declareMill(CLI::App& app, MillCommand& command);
 
 /// @brief Does what the command says. @return the exit code
-int runMill(MillCommand& command);
+int runMill(MillCommand& command, const pointmill::Watch& watch);

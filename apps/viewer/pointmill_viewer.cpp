@@ -2,8 +2,10 @@
 // Copyright (c) 2026, the PointMill authors
 //
 // pointmill_viewer: looks at scans, jobs and programs, and plays the cut.
-// Exit codes: 0 good, 1 usage, 2 bad input.
+// Exit codes: 0 good, 1 usage, 2 bad input, 130 after Ctrl-C.
 #include "job_scene.h"
+#include "progress/progress_line.h"
+#include "progress/stop_on_signal.h"
 #include "viewer_options.h"
 
 #include <pointmill/common/error.h>
@@ -14,6 +16,8 @@
 
 #include <filesystem>
 #include <iostream>
+#include <memory>
+#include <optional>
 
 using namespace pointmill;
 
@@ -46,6 +50,37 @@ ViewerScene sceneOf(const ViewerOptions& options)
   return scene;
 }
 
+/// Makes what is to be shown; that may take a while.
+std::unique_ptr<Viewer> viewerFor(const ViewerOptions& options)
+{
+  ViewerScene scene = sceneOf(options);
+  const ViewerLook look = lookOf(options, scene);
+  auto viewer = std::make_unique<Viewer>(std::move(scene), look);
+  if (look.level && *look.level >= viewer->levels().size())
+    throw ParameterError("pointmill_viewer: there is no level " +
+                         std::to_string(*look.level + 1) + "; there are " +
+                         std::to_string(viewer->levels().size()));
+  return viewer;
+}
+
+void run(const ViewerOptions& options)
+{
+  std::unique_ptr<Viewer> viewer;
+  {
+    Watch watch;
+    stopOnSignal(watch);
+    std::optional<ProgressLine> line;
+    if (!options.quiet)
+      line.emplace(watch);
+    viewer = viewerFor(options);
+    signalsAsBefore();
+  }
+  if (options.screenshot.empty())
+    viewer->show(options.width, options.height, options.play);
+  else
+    viewer->screenshot(options.screenshot, options.width, options.height);
+}
+
 } // namespace
 
 int main(int argc, char** argv)
@@ -59,23 +94,17 @@ int main(int argc, char** argv)
   try {
     auto words = asLongOptions(argc, argv);
     app.parse(words);
-    ViewerScene scene = sceneOf(options);
-    const ViewerLook look = lookFor(options, scene);
-    Viewer viewer(std::move(scene), look);
-    if (look.level && *look.level >= viewer.levels().size())
-      throw ParameterError("pointmill_viewer: there is no level " +
-                           std::to_string(*look.level + 1) + "; there are " +
-                           std::to_string(viewer.levels().size()));
-    if (options.screenshot.empty())
-      viewer.show(options.width, options.height, options.play);
-    else
-      viewer.screenshot(options.screenshot, options.width, options.height);
+    run(options);
   }
   catch (const CLI::ParseError& e) {
     if (e.get_exit_code() == 0) // --help, --version
       return app.exit(e);
     std::cerr << "pointmill_viewer: " << e.what() << " (pointmill_viewer --help)\n";
     return 1;
+  }
+  catch (const Interrupted& e) {
+    std::cerr << "pointmill_viewer: " << e.what() << '\n';
+    return interruptedExitCode();
   }
   catch (const ParameterError& e) {
     std::cerr << e.what() << '\n';

@@ -147,6 +147,7 @@ void declare(CLI::App& app, ViewerOptions& o)
   app.add_flag("--no-box", o.no_box, "hide the box of the stock");
   app.add_flag("--no-texts", o.no_texts, "hide title, legend and figures");
   app.add_flag("--no-axes", o.no_axes, "hide the axes of the part frame");
+  app.add_flag("-q,--quiet", o.quiet, "do not tell how far it is");
   app.add_option("--screenshot", o.screenshot, "write a picture; needs no display")
       ->type_name("PNG");
   choice<ViewedFrom>(
@@ -184,7 +185,7 @@ std::vector<std::string> asLongOptions(int argc, char** argv)
   return words;
 }
 
-ViewerLook lookFor(const ViewerOptions& o, const ViewerScene& scene)
+ViewerLook lookOf(const ViewerOptions& o, const ViewerScene& scene)
 {
   ViewerLook look = o.look;
   const ViewerLook suited = lookFor(scene);

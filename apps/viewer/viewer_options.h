@@ -19,7 +19,7 @@ struct ViewerOptions {
   std::optional<pointmill::ViewedPaths> paths;
   std::optional<pointmill::PathColouring> colouring;
   std::optional<std::size_t> level, finding; ///< counting from 1
-  bool play = false, map = false;
+  bool play = false, map = false, quiet = false;
   bool no_rapids = false, no_tool = false, no_box = false, no_texts = false,
        no_axes = false;
   int width = 1280, height = 800;
@@ -34,5 +34,5 @@ std::vector<std::string> asLongOptions(int argc, char** argv);
 
 /// @brief What is shown of the scene: what was asked for, else what there is.
 /// @throws ParameterError where there is no such level, finding or moment
-pointmill::ViewerLook lookFor(const ViewerOptions& options,
-                              const pointmill::ViewerScene& scene);
+pointmill::ViewerLook lookOf(const ViewerOptions& options,
+                             const pointmill::ViewerScene& scene);

@@ -3,6 +3,13 @@
 // What a job does to the disk, and what it refuses.
 #include "mill_test.h"
 
+#include <pointmill/common/watch.h>
+
+#include <atomic>
+#include <iterator>
+#include <set>
+#include <thread>
+
 using namespace mill_test;
 
 namespace {
@@ -132,22 +139,59 @@ TEST(MillJob, ASecondPlanDoesNotRememberTheFirst)
   EXPECT_EQ(both.operations().size(), fresh.operations().size());
 }
 
-TEST(MillJob, ProgressOnlyGrows)
+TEST(MillJob, ProgressOnlyGrowsAndEndsAtOne)
 {
-  MillJob job{MillOptions()};
-  double last = -1;
-  int calls = 0;
-  job.setProgress([&](const std::string& stage, double done) {
-    EXPECT_FALSE(stage.empty());
-    EXPECT_GE(done, last);
-    EXPECT_LE(done, 1);
-    last = done;
-    ++calls;
+  const Watch watch;
+  std::atomic<bool> ended{false};
+  std::set<std::string> stages;
+  std::thread looks([&] {
+    for (double last = 0; !ended; std::this_thread::yield()) {
+      stages.insert(watch.stage());
+      const double share = watch.share();
+      EXPECT_GE(share, last);
+      EXPECT_LE(share, 1);
+      last = share;
+    }
   });
   const TempDir folder;
+  MillJob job{MillOptions()};
   job.plan(data("cone.pcd"));
+  const double planned = watch.share();
   job.write((folder / "nc").string());
-  EXPECT_GT(calls, 5);
+  ended = true;
+  looks.join();
+  EXPECT_GT(planned, 0.3);
+  EXPECT_LT(planned, 1);
+  EXPECT_DOUBLE_EQ(watch.share(), 1);
+  EXPECT_GT(stages.size(), 5u);
+  EXPECT_EQ(stages.count("finishing"), 1u);
+}
+
+TEST(MillJob, StopsAnywhereAndLeavesWhatWasThere)
+{
+  const TempDir folder;
+  fs::create_directory(folder / "nc");
+  std::ofstream(folder / "nc/program.ngc") << "(earlier)";
+  for (const double share : {0.0, 0.05, 0.2, 0.4, 0.6, 0.75}) {
+    Watch watch;
+    std::atomic<bool> ended{false};
+    std::thread stops([&] {
+      while (!ended && watch.share() < share)
+        std::this_thread::yield();
+      watch.stop();
+    });
+    MillJob job{MillOptions()};
+    const auto mill = [&] {
+      job.plan(data("dome.pcd"));
+      job.write((folder / "nc").string());
+    };
+    EXPECT_THROW(mill(), Interrupted) << share;
+    ended = true;
+    stops.join();
+    EXPECT_EQ(folder.names(), std::vector<std::string>{"nc"}) << share;
+    EXPECT_EQ(contents(folder / "nc/program.ngc"), "(earlier)") << share;
+    EXPECT_EQ(std::distance(fs::directory_iterator(folder / "nc"), {}), 1) << share;
+  }
 }
 
 TEST(MillJob, EveryShapeIsMilledAndVerified)

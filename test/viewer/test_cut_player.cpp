@@ -3,6 +3,7 @@
 #include "viewer_test.h"
 
 #include <pointmill/common/error.h>
+#include <pointmill/common/watch.h>
 
 #include <gtest/gtest.h>
 
@@ -150,19 +151,18 @@ TEST(CutPlayer, KnowsWhatCutACellLast)
   EXPECT_EQ(player->sectionOf(player->moveOfLine(19)), 1u);
 }
 
-TEST(CutPlayer, TellsHowFarItIs)
+TEST(CutPlayer, TellsHowFarItIsAndStops)
 {
   const auto player = playerOf(randomProgram(2000), 0.5);
-  double last = 0;
-  int calls = 0;
-  player->seek(player->duration(), [&](double share) {
-    EXPECT_GE(share, last);
-    EXPECT_LE(share, 1);
-    last = share;
-    ++calls;
-  });
-  EXPECT_GT(calls, 10);
-  EXPECT_GT(last, 0.9);
+  Watch watch;
+  player->seek(player->duration() / 2);
+  EXPECT_EQ(watch.share(), 1.0);
+  EXPECT_EQ(watch.stage(), "cutting the stock");
+  watch.stop();
+  EXPECT_THROW(player->seek(player->duration()), Interrupted);
+  EXPECT_EQ(player->time(), 0);
+  for (const float z : heights(*player)) // the whole block, not half a cut
+    ASSERT_EQ(z, 0);
 }
 
 TEST(CutPlayer, APlaceThatIsNotKnownIsNone)

@@ -2,6 +2,7 @@
 // Copyright (c) 2026, the PointMill authors
 #include <pointmill/common/error.h>
 #include <pointmill/common/tour.h>
+#include <pointmill/common/watch.h>
 
 // Boost 1.74 includes a header of its own that it calls deprecated.
 #define BOOST_ALLOW_DEPRECATED_HEADERS
@@ -144,6 +145,7 @@ std::vector<std::size_t> alwaysToTheNearest(const Ways& all, std::size_t first)
   std::vector<std::size_t> order;
   order.reserve(all.items());
   for (std::size_t next = first;;) {
+    checkInterrupted();
     order.push_back(next);
     const std::size_t item = all.ways[next].item;
     for (std::size_t w = all.first[item]; w < all.first[item + 1]; ++w)
@@ -168,6 +170,7 @@ std::vector<std::vector<std::size_t>> neighboursOf(const Ways& all)
   std::vector<std::vector<std::size_t>> near(all.places.size());
   std::vector<Entry> found;
   for (std::size_t p = 0; p < near.size(); ++p) {
+    checkInterrupted();
     const auto away = [&](const Entry& e) {
       return bg::comparable_distance(e.first, entries[p].first);
     };
@@ -205,9 +208,14 @@ public:
   {
     bool better = true;
     for (int round = 0; better && round < kMostRounds; ++round) {
+      // Each round takes about half as long as the one before.
+      const WorkStep step(
+          {1 - std::ldexp(1.0, -round), 1 - std::ldexp(1.0, -round - 1)});
       better = chooseWays();
-      for (std::size_t k = fixed_; k <= order_.size(); ++k)
+      for (std::size_t k = fixed_; k <= order_.size(); ++k) {
+        step.reach(double(k) / double(order_.size() + 1));
         better = improveBefore(k) || better;
+      }
     }
   }
   const std::vector<std::size_t>& order() const { return order_; }

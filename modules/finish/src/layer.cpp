@@ -82,7 +82,7 @@ LayerMaker::Stretches LayerMaker::stretchesOn(const Mask& mask, std::size_t row)
 std::vector<Row> LayerMaker::dropRows(const std::vector<Stretches>& stretches) const
 {
   std::vector<Row> rows(places_.count);
-  parallelFor(rows.size(), raster_.threads, [&](std::size_t row) {
+  parallelFor(rows.size(), raster_.threads, {0.0, 0.3}, [&](std::size_t row) {
     Stretches near;
     for (std::size_t r = row > 0 ? row - 1 : 0; r <= row + 1 && r < rows.size(); ++r)
       near = unite(std::move(near), stretches[r]);
@@ -111,7 +111,7 @@ Layer LayerMaker::make(const std::vector<Stretches>& stretches,
   const auto rows = dropRows(stretches);
   std::vector<std::vector<Pass>> regular(rows.size());
   std::vector<double> kept_out(rows.size(), 0.0);
-  parallelFor(rows.size(), raster_.threads, [&](std::size_t row) {
+  parallelFor(rows.size(), raster_.threads, {0.3, 0.35}, [&](std::size_t row) {
     for (const Stretch& s : stretches[row])
       kept_out[row] += rows_.cut(rows[row], s, regular[row]);
   });
@@ -126,7 +126,7 @@ Layer LayerMaker::make(const std::vector<Stretches>& stretches,
   layer.tally = ScallopTally(raster_.scallop);
   const RowInserter inserter(rows_, raster_, layer.noise);
   std::vector<Insertion> insertions(rows.size() - 1);
-  parallelFor(insertions.size(), raster_.threads, [&](std::size_t i) {
+  parallelFor(insertions.size(), raster_.threads, {0.35, 1.0}, [&](std::size_t i) {
     insertions[i] =
         inserter.between(rows[i], rows[i + 1], unite(stretches[i], stretches[i + 1]));
   });

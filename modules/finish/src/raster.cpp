@@ -2,12 +2,16 @@
 // Copyright (c) 2026, the PointMill authors
 #include "layer.h"
 
+#include <pointmill/common/watch.h>
 #include <pointmill/finish/raster.h>
 
 #include <utility>
 
 namespace pointmill {
 namespace {
+
+/// What the rows are of the work, where a raster across may follow.
+constexpr double kRowsShare = 0.85;
 
 /// Appends the passes in machining order.
 class Sequence {
@@ -58,7 +62,11 @@ RasterPasses Raster::over(const SurfaceModel& surface) const
 {
   RasterPasses result;
   Sequence sequence(*this, result.path);
-  Layer layer = LayerMaker(surface, *this, angle).everywhere();
+  Layer layer;
+  {
+    const WorkStep rows({0.0, across ? kRowsShare : 1.0});
+    layer = LayerMaker(surface, *this, angle).everywhere();
+  }
   result.inserted = layer.inserted;
   result.kept_out = layer.kept_out;
   sequence.append(std::move(layer.passes));
@@ -69,6 +77,7 @@ RasterPasses Raster::over(const SurfaceModel& surface) const
     std::vector<Eigen::Vector2d> places;
     for (const Steep& s : left)
       places.push_back(s.xy);
+    const WorkStep more({kRowsShare, 1.0});
     const Mask mask(places, std::max(step_over, forward_step));
     Layer second = LayerMaker(surface, *this, angle + 90).on(mask, layer.noise);
     result.across = second.passes.size();

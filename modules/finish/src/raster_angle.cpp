@@ -37,7 +37,7 @@ double rasterAngle(const Raster& raster, const SurfaceModel& surface)
     return 0;
   const Places places(maker.width().first, maker.width().last, step);
   std::vector<Row> rows(places.count);
-  parallelFor(rows.size(), raster.threads, [&](std::size_t i) {
+  parallelFor(rows.size(), raster.threads, {0.0, 1.0}, [&](std::size_t i) {
     rows[i] = maker.drop(places[i], {0, maker.stations().count - 1});
   });
 

@@ -5,6 +5,7 @@
 #include "machine_state.h"
 
 #include <pointmill/common/parameters.h>
+#include <pointmill/common/watch.h>
 #include <pointmill/gcode/gcode_reader.h>
 
 #include <algorithm>
@@ -27,8 +28,11 @@ Program interpret(LineReader& lines,
   const auto front_end = frontEnd(reader.getForm(), machine);
   std::string_view text;
   bool goes_on = true;
-  while (goes_on && lines.next(text))
+  const WorkStep all({0.0, 1.0});
+  while (goes_on && lines.next(text)) {
+    all.reach(lines.progress());
     goes_on = front_end->obey(text, lines.lines());
+  }
   if (goes_on)
     front_end->finish();
   program.lines = lines.lines();

@@ -9,6 +9,7 @@
 #include "program_splitter.h"
 
 #include <pointmill/common/error.h>
+#include <pointmill/common/watch.h>
 
 #include <algorithm>
 #include <cmath>
@@ -25,6 +26,7 @@ namespace {
 constexpr double inch = 25.4;             // mm
 constexpr std::size_t last_number = 7999; // beyond are those of the machine's builder
 constexpr double soft_landing = 1.0;      // mm: the last of the way down is fed
+constexpr double kLayoutShare = 0.1;      // of the work of writing
 
 /// Takes all and keeps nothing.
 class NullBuffer : public std::streambuf {
@@ -200,7 +202,11 @@ GCodeWriter::Statistics GCodeWriter::write(const std::vector<Operation>& operati
                                            const Opener& open) const
 {
   check(*this);
-  const Layout layout = layOut(operations);
+  const Layout layout = [&] {
+    const WorkStep step({0.0, kLayoutShare});
+    return layOut(operations);
+  }();
+  const WorkStep step({kLayoutShare, 1.0});
   if (number_ + layout.files - 1 > last_number)
     refuse("the number of the last program is beyond " + std::to_string(last_number));
   return print(operations, open, layout);

@@ -4,6 +4,7 @@
 
 #include <pointmill/common/error.h>
 #include <pointmill/common/parameters.h>
+#include <pointmill/common/watch.h>
 
 #include <algorithm>
 #include <cmath>
@@ -152,8 +153,10 @@ void MachiningPlan::runOperation(bool first_of_program)
     startTool(operation, first);
   else
     continueTool(operation, first);
-  for (std::size_t i = 1; i <= last; ++i)
+  for (std::size_t i = 1; i <= last; ++i) {
+    checkInterrupted();
     runPoint(i);
+  }
 }
 
 void MachiningPlan::startTool(const Operation& operation, const MachinePosition& first)

@@ -3,6 +3,8 @@
 #include "readers.h"
 #include "text.h"
 
+#include <pointmill/common/watch.h>
+
 #include <limits>
 
 namespace pointmill::detail {
@@ -48,7 +50,9 @@ RawScan readObj(const Source& source)
   Text rest{source.begin(), source.end()};
   Text line{};
   std::vector<std::uint32_t> corners;
+  const WorkStep step({0.0, 1.0});
   while (takeLine(rest, line)) {
+    step.reach(source.shareBefore(line.at));
     const Text whole = line;
     skipBlanks(line);
     if (line.end - line.at < 2 || !isBlank(line.at[1]))

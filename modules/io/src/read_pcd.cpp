@@ -4,6 +4,8 @@
 #include "scalar.h"
 #include "text.h"
 
+#include <pointmill/common/watch.h>
+
 #include <pcl/io/lzf.h>
 
 // Not pcl::PCDReader: it allocates whatever the header announces before it looks at the
@@ -62,7 +64,9 @@ Header readHeader(const Source& source)
   Header header;
   Text rest{source.begin(), source.end()};
   Text line{};
+  const WorkStep step({0.0, 1.0});
   while (takeLine(rest, line)) {
+    step.reach(source.shareBefore(line.at));
     const Text whole = line;
     const std::string key = takeWord(line);
     const auto number = [&](Text& text, Count& value, Count limit) {
@@ -192,6 +196,7 @@ void readColumns(const std::array<Column, 3>& columns, Count points, RawScan& sc
   scan.points.resize(points);
   for (int axis = 0; axis < 3; ++axis) {
     const char* from = columns[axis].first;
+    checkInterrupted();
     for (auto& point : scan.points) {
       point[axis] = load(columns[axis].type, from);
       from += columns[axis].stride;

@@ -4,6 +4,8 @@
 #include "scalar.h"
 #include "text.h"
 
+#include <pointmill/common/watch.h>
+
 #include <cmath>
 #include <limits>
 
@@ -275,6 +277,7 @@ private:
     }
     scan_.points.reserve(scan_.points.size() + element.count);
     for (Count n = 0; n < element.count; ++n) {
+      checkInterrupted();
       body_.startItem(element);
       Eigen::Vector3d point;
       for (std::size_t i = 0; i < axis_of.size(); ++i)
@@ -294,6 +297,7 @@ private:
     const bool shapes = strips || element.name == "face";
     std::vector<std::uint32_t> corners;
     for (Count n = 0; n < element.count; ++n) {
+      checkInterrupted();
       body_.startItem(element);
       for (const Property& property : element.properties) {
         const bool wanted =

@@ -3,6 +3,8 @@
 #include "readers.h"
 #include "text.h"
 
+#include <pointmill/common/watch.h>
+
 #include <Eigen/Geometry>
 
 #include <filesystem>
@@ -15,6 +17,7 @@ namespace {
 using detail::Source;
 
 constexpr std::size_t min_points = 10;
+constexpr double kFileShare = 0.3; // of the time, to get the file into memory
 
 RawScan readByExtension(const Source& source, const std::string& path)
 {
@@ -93,8 +96,14 @@ void checkSubstance(const RawScan& scan, const Source& source)
 
 RawScan readScan(const std::string& path)
 {
-  const Source source(path);
-  RawScan scan = readByExtension(source, path);
+  const Source source = [&] {
+    const WorkStep step({0.0, kFileShare});
+    return Source(path);
+  }();
+  RawScan scan = [&] {
+    const WorkStep step({kFileShare, 1.0});
+    return readByExtension(source, path);
+  }();
   if (!scan.faces.empty() &&
       scan.points.size() >= std::numeric_limits<std::uint32_t>::max())
     source.fail("has more vertices than 32-bit indices count; decimate the mesh");

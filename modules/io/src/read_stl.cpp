@@ -4,6 +4,8 @@
 #include "scalar.h"
 #include "text.h"
 
+#include <pointmill/common/watch.h>
+
 #include <limits>
 
 namespace pointmill::detail {
@@ -72,7 +74,9 @@ void readBinary(const Source& source, RawScan& scan)
   Welder welder(scan.points);
   scan.faces.resize(count);
   const char* from = source.begin() + header_size;
+  const WorkStep step({0.0, 1.0});
   for (auto& face : scan.faces) {
+    step.reach(source.shareBefore(from));
     for (int corner = 0; corner < 3; ++corner) {
       const char* vertex = from + 12 * (corner + 1); // after the normal
       face[corner] = welder.add({loadAs<float>(vertex),
@@ -90,7 +94,9 @@ void readAscii(const Source& source, RawScan& scan)
   bool closed = false;
   Text rest{source.begin(), source.end()};
   Text line{};
+  const WorkStep step({0.0, 1.0});
   while (takeLine(rest, line)) {
+    step.reach(source.shareBefore(line.at));
     const Text whole = line;
     const std::string key = lower(takeWord(line));
     bool good = true;

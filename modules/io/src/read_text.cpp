@@ -3,6 +3,8 @@
 #include "readers.h"
 #include "text.h"
 
+#include <pointmill/common/watch.h>
+
 #include <cctype>
 
 namespace pointmill::detail {
@@ -149,7 +151,9 @@ RawScan readText(const Source& source)
   unsigned long long announced = 0;
   bool counted = false;
   Layout layout;
+  const WorkStep step({0.0, 1.0});
   while (takeLine(rest, line)) {
+    step.reach(source.shareBefore(line.at));
     skipBlanks(line);
     if (line.done() || isComment(line))
       continue;

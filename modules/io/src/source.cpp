@@ -3,6 +3,7 @@
 #include "source.h"
 
 #include <pointmill/common/error.h>
+#include <pointmill/common/watch.h>
 
 #include <algorithm>
 #include <cerrno>
@@ -13,6 +14,8 @@
 namespace pointmill::detail {
 
 namespace {
+
+constexpr std::size_t kPiece = 1 << 22; // bytes that are read at once
 
 // Names and quoted content may hold anything; the message stays one line.
 std::string oneLine(std::string text)
@@ -43,8 +46,13 @@ Source::Source(const std::string& path) : path_(path)
     fail("is empty; export the scan again");
   size_ = static_cast<std::size_t>(size);
   data_.reset(new char[size_]);
-  if (!in.read(data_.get(), static_cast<std::streamsize>(size_)))
-    fail("cannot be read to its end; check the disk");
+  const WorkStep step({0.0, 1.0});
+  for (std::size_t at = 0; at < size_; at += kPiece) {
+    step.reach(double(at) / double(size_));
+    const std::size_t piece = std::min(kPiece, size_ - at);
+    if (!in.read(data_.get() + at, static_cast<std::streamsize>(piece)))
+      fail("cannot be read to its end; check the disk");
+  }
 }
 
 void Source::fail(const std::string& what) const

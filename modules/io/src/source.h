@@ -17,6 +17,11 @@ public:
   const char* begin() const { return data_.get(); }
   const char* end() const { return data_.get() + size_; }
   std::size_t size() const { return size_; }
+  /// @brief What lies before @p at is this share of it.
+  double shareBefore(const char* at) const
+  {
+    return double(at - begin()) / double(size_);
+  }
 
   /// @brief Throws DataError "path: what".
   [[noreturn]] void fail(const std::string& what) const;

@@ -2,6 +2,8 @@
 // Copyright (c) 2026, the PointMill authors
 #include "text.h"
 
+#include <pointmill/common/watch.h>
+
 #include <algorithm>
 #include <charconv>
 #include <cstring>
@@ -27,6 +29,7 @@ bool take(Text& text, Number& value)
 
 bool takeLine(Text& rest, Text& line)
 {
+  checkInterrupted(); // files are long
   if (rest.done())
     return false;
   const auto length = static_cast<std::size_t>(rest.end - rest.at);

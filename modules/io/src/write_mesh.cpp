@@ -3,6 +3,7 @@
 #include "text.h"
 
 #include <pointmill/common/error.h>
+#include <pointmill/common/watch.h>
 #include <pointmill/io/write_file.h>
 #include <pointmill/io/write_mesh.h>
 
@@ -50,9 +51,11 @@ void writePly(std::ostream& out, const Points& points, const pcl::PolygonMesh& m
       << "\nproperty float x\nproperty float y\nproperty float z\n"
       << "element face " << mesh.polygons.size()
       << "\nproperty list uchar int vertex_indices\nend_header\n";
+  checkInterrupted();
   for (const auto& p : points)
     (Record() << p.x << p.y << p.z).writeTo(out);
   for (const auto& face : mesh.polygons) {
+    checkInterrupted();
     Record record;
     record << std::uint8_t(3);
     for (const auto i : face.vertices)
@@ -67,6 +70,7 @@ void writeStl(std::ostream& out, const Points& points, const pcl::PolygonMesh& m
   out.write(head, sizeof head);
   (Record() << static_cast<std::uint32_t>(mesh.polygons.size())).writeTo(out);
   for (const auto& face : mesh.polygons) {
+    checkInterrupted();
     const auto corner = [&](int i) {
       return points[face.vertices[i]].getVector3fMap();
     };

@@ -63,8 +63,11 @@ void LinkPasses::apply(CLCloud& output)
   const Transitions transitions(
       around, entries, cutting_, rapid_rate_, stay_down_, low_rapids_);
   PassLinker linker(path, around, entries, arcs, transitions);
-  for (const auto& pass : passes)
-    linker.add(pass);
+  const WorkStep all({0.0, 1.0});
+  for (std::size_t k = 0; k < passes.size(); ++k) {
+    all.reach(double(k) / double(passes.size()));
+    linker.add(passes[k]);
+  }
   linker.finish();
   cut_ = path.figures();
   if (feed_step_ > 0)

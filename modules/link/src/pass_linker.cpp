@@ -15,8 +15,10 @@ void PassLinker::add(const PlannedPass& pass)
     return;
   }
   go(transition, *pass.points.front());
-  for (std::size_t i = 1; i < pass.way.size(); ++i)
+  for (std::size_t i = 1; i < pass.way.size(); ++i) {
+    checkInterrupted(); // all may be one pass
     path_.add(pass.way[i], pass.points[i]->getMotion(), *pass.points[i]);
+  }
   last_ = pass.way;
   ++tally_.passes;
 }

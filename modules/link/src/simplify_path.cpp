@@ -113,11 +113,12 @@ void SimplifyPath::apply(CLCloud& output)
   const Tool grown = tool_.grown(allowance_);
   const Vector3d down(0, 0, allowance_);
   std::vector<CLCloud> kept(passes.size());
-  parallelFor(passes.size(), threads_, [&](std::size_t k) {
+  parallelFor(passes.size(), threads_, {0.0, 1.0}, [&](std::size_t k) {
     const Pass& pass = passes[k];
     CLCloud& mine = kept[k];
     mine.push_back(pass.point(0));
     for (std::size_t i = 0; i + 1 < pass.size();) {
+      checkInterrupted(); // all may be one pass
       const Vector3d from = pass.place(i);
       std::size_t next = furthest(i, pass.lastLike(i), [&](std::size_t j) {
         return (pass.place(j) - from).norm() <= longest_ && pass.skips(i, j, band_);

@@ -4,6 +4,7 @@
 #include "print.h"
 
 #include <pointmill/common/error.h>
+#include <pointmill/common/watch.h>
 #include <pointmill/mill/check.h>
 
 #include <algorithm>
@@ -13,6 +14,8 @@
 
 namespace pointmill {
 namespace {
+
+constexpr double kReadShare = 0.05; // of the work of judging
 
 std::string withPlace(const std::string& file, const std::string& what)
 {
@@ -66,7 +69,10 @@ readPrograms(std::vector<ProgramStream> files, const Criteria& criteria, int mou
   reader.setMountedTool(mounted);
   reader.setChordError(criteria.arc_error);
   Program all;
-  for (auto& file : files) {
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    auto& file = files[i];
+    const WorkStep step(
+        {double(i) / double(files.size()), double(i + 1) / double(files.size())});
     try {
       Program program = reader.read(*file.text);
       if (files.size() == 1)
@@ -92,7 +98,11 @@ ProgramTime timeOf(const Program& program, const Criteria& criteria)
 Judgement judge(std::vector<ProgramStream> files, const Criteria& criteria, int mounted)
 {
   Judgement judgement;
-  judgement.program = readPrograms(std::move(files), criteria, mounted);
+  {
+    const WorkStep step({0.0, kReadShare});
+    judgement.program = readPrograms(std::move(files), criteria, mounted);
+  }
+  const WorkStep step({kReadShare, 1.0});
   judgement.verification = criteria.judge(judgement.program);
   judgement.time = timeOf(judgement.program, criteria);
   return judgement;

@@ -3,6 +3,7 @@
 #include "criteria_json.h"
 
 #include <pointmill/common/error.h>
+#include <pointmill/common/watch.h>
 #include <pointmill/io/read_cloud.h>
 #include <pointmill/io/write_cloud.h>
 #include <pointmill/mill/criteria.h>
@@ -25,6 +26,7 @@ constexpr double kDeep = 1.5;
 
 Criteria::Points pointsFrom(const fs::path& path, unsigned threads)
 {
+  checkInterrupted();
   const auto cloud = readCloud(path.string());
   return std::make_shared<PointIndex>(std::vector<PointSource>{pointSource(cloud)},
                                       threads);

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the PointMill authors
+#include "work_estimate.h"
+
+#include <pointmill/common/watch.h>
 #include <pointmill/gcode/arc_fitter.h>
 #include <pointmill/gcode/gcode_writer.h>
 #include <pointmill/mill/mill_job.h>
@@ -41,16 +44,44 @@ std::string programName(const std::string& scan)
 
 } // namespace
 
-void MillJob::timed(const std::string& stage,
-                    double done,
-                    const std::function<void()>& work)
+/// What is ahead, as well as it is known by now.
+void MillJob::estimateWork()
 {
-  if (progress_)
-    progress_(stage, done);
+  JobSize size;
+  if (part_) {
+    size.points = double(part_->size());
+    const auto all = part_->getMatrixXfMap();
+    const Eigen::Vector3f extents =
+        (all.rowwise().maxCoeff() - all.rowwise().minCoeff()).head<3>();
+    size.area = double(extents.x()) * double(extents.y());
+    size.depth = extents.z();
+  }
+  if (points_)
+    size.smooth = figures_.smooth;
+  auto work = workOf(size, options_);
+  work.erase(work.begin(), work.begin() + std::ptrdiff_t(seconds_.size()));
+  ahead_ = std::move(work);
+}
+
+void MillJob::timed(const std::string& stage, const std::function<void()>& work)
+{
+  const auto here =
+      std::find_if(ahead_.begin(), ahead_.end(), [&](const StageWork& next) {
+        return next.stage == stage;
+      });
+  ahead_.erase(ahead_.begin(), here); // what was left out
+  double seconds = 0;
+  for (const auto& next : ahead_)
+    seconds += next.seconds;
+  const double mine = ahead_.empty() ? 0 : ahead_.front().seconds / seconds;
+  const double begin = std::exchange(done_, done_ + (1 - done_) * mine);
+  const WorkStep step(stage, {begin, done_});
   const auto start = std::chrono::steady_clock::now();
   work();
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
   seconds_.emplace_back(stage, took.count());
+  if (!ahead_.empty())
+    ahead_.erase(ahead_.begin());
 }
 
 double MillJob::gapArea() const
@@ -225,35 +256,39 @@ void MillJob::plan(const std::string& scan)
   operations_.clear();
   idle_.clear();
   seconds_.clear();
+  part_.reset();
+  points_.reset();
+  done_ = 0;
+  estimateWork();
   readAndAlign(scan);
+  estimateWork();
   makeSurface();
+  estimateWork();
   makeMap();
-  timed("stock", 0.14, [&] { makeStock(); });
-  timed("roughing", 0.15, [&] { planRoughing(); });
+  timed("stock", [&] { makeStock(); });
+  timed("roughing", [&] { planRoughing(); });
   // Where the big tool did not get in, full stock stands: a ball end mill must not go
   // there in one pass. Nor must it meet the skins that stay on walls as high as these.
   const double rough_left = 0.6 * options_.rough.allowance;
   if (options_.rest)
-    timed("rest roughing, T" + std::to_string(options_.rest->tool.number), 0.2, [&] {
-      planRest(*options_.rest, "rest roughing", 5);
-    });
+    timed("rest roughing, T" + std::to_string(options_.rest->tool.number),
+          [&] { planRest(*options_.rest, "rest roughing", 5); });
   ToolJob rest = options_.semi;
   rest.allowance = std::max(rest.allowance, rough_left);
-  timed("rest roughing", 0.25, [&] { planRest(rest, "rest roughing", 1); });
-  timed("walls", 0.3, [&] { planWalls(options_.semi, "walls", 1); });
-  timed("semi-finishing", 0.35, [&] {
+  timed("rest roughing", [&] { planRest(rest, "rest roughing", 1); });
+  timed("walls", [&] { planWalls(options_.semi, "walls", 1); });
+  timed("semi-finishing", [&] {
     planFinishing(options_.semi, "semi-finishing", options_.semi_scallop, false);
   });
   rest = options_.finish;
   rest.allowance = std::max(rest.allowance, options_.semi.allowance);
-  timed("rest roughing, fine", 0.45, [&] { planRest(rest, "rest roughing, fine", 3); });
-  timed("walls, fine", 0.47, [&] { planWalls(options_.finish, "walls, fine", 3); });
-  timed("finishing", 0.5, [&] {
-    planFinishing(options_.finish, "finishing", options_.scallop, true);
-  });
-  timed("write", 0.65, [&] { writeProgram({}); });
+  timed("rest roughing, fine", [&] { planRest(rest, "rest roughing, fine", 3); });
+  timed("walls, fine", [&] { planWalls(options_.finish, "walls, fine", 3); });
+  timed("finishing",
+        [&] { planFinishing(options_.finish, "finishing", options_.scallop, true); });
+  timed("write", [&] { writeProgram({}); });
   setCriteria();
-  timed("verify", 0.7, [&] { verify(); });
+  timed("verify", [&] { verify(); });
   passed_ = verification().good();
   if (passed_)
     return;
@@ -272,8 +307,10 @@ void MillJob::plan(const std::string& scan)
   std::vector<std::string> remarks{"FORCED: this program fails its verification"};
   for (const auto& f : verification().findings)
     remarks.push_back(f.code + ": " + f.text);
-  timed("write, forced", 0.75, [&] { writeProgram(remarks); });
-  timed("verify, forced", 0.75, [&] { verify(); });
+  ahead_.insert(ahead_.begin(), {"verify, forced", ahead_.front().seconds});
+  ahead_.insert(ahead_.begin(), {"write, forced", 0.0});
+  timed("write, forced", [&] { writeProgram(remarks); });
+  timed("verify, forced", [&] { verify(); });
   passed_ = true;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the PointMill authors
 // What the finishing operations cut, and how all are linked.
+#include <pointmill/common/watch.h>
 #include <pointmill/finish/buffer_points.h>
 #include <pointmill/link/order_passes.h>
 #include <pointmill/mill/mill_job.h>
@@ -8,6 +9,13 @@
 #include <chrono>
 
 namespace pointmill {
+namespace {
+
+/// Where of the work of finishing its passes end; the rest is linking them. And where
+/// of the passes' the rows end, and where they have all their points.
+constexpr double kPassesShare = 0.8, kRowsShare = 0.55, kPointsShare = 0.95;
+
+} // namespace
 
 void MillJob::link(PlannedOperation& planned, const CLCloud& passes, double lead_radius)
 {
@@ -29,8 +37,10 @@ void MillJob::link(PlannedOperation& planned, const CLCloud& passes, double lead
     planned.parameters.push_back(p);
   for (const auto& f : linker.getReport().figures())
     planned.report.set("link_" + f.first, f.second);
+  checkInterrupted();
   planned.figures = measurePath(
       planned.operation.path, options_.machine.rapid_rate, linker.getCutFigures());
+  checkInterrupted();
   planned.volume_left = volumeLeft();
 }
 
@@ -89,7 +99,10 @@ CLCloud MillJob::rasterPasses(const ToolJob& job,
 
   CLCloud::Ptr rows(new CLCloud);
   raster.setInputCloud(clean_);
-  raster.filter(*rows);
+  {
+    const WorkStep step({0.0, kRowsShare});
+    raster.filter(*rows);
+  }
   planned.parameters = listParameters(raster);
   const auto report = [&](const std::string& stage, const Report& figures) {
     for (const auto& f : figures.figures())
@@ -98,9 +111,13 @@ CLCloud MillJob::rasterPasses(const ToolJob& job,
   report("raster_", raster.getReport());
   if (rows->empty())
     return {};
-  auto passes = pointmill::run<PointCL>(rows, buffer);
+  auto passes = [&] {
+    const WorkStep step({kRowsShare, kPointsShare});
+    return pointmill::run<PointCL>(rows, buffer);
+  }();
   report("buffer_", buffer.getReport());
   if (options_.pattern == RasterPattern::ZigZag) { // others must not be turned round
+    const WorkStep step({kPointsShare, 1.0});
     OrderPasses order;
     passes = pointmill::run<PointCL>(passes, order);
     report("order_", order.getReport());
@@ -118,10 +135,14 @@ void MillJob::planFinishing(const ToolJob& job,
 {
   PlannedOperation planned(job, name, across ? 4 : 2);
   const auto start = std::chrono::steady_clock::now();
-  const CLCloud passes = rasterPasses(job, scallop, across, planned);
+  const CLCloud passes = [&] {
+    const WorkStep step({0.0, kPassesShare});
+    return rasterPasses(job, scallop, across, planned);
+  }();
   if (passes.empty())
     throw DataError(name + ": no row lies over the part: look at the boundary" +
                     (options_.keep_out.empty() ? "" : " and at the keep-out zones"));
+  const WorkStep step({kPassesShare, 1.0});
   link(planned, passes, 0.0);
   planned.seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

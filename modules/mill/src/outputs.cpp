@@ -3,6 +3,7 @@
 #include "job_page.h"
 #include "report.h"
 
+#include <pointmill/common/watch.h>
 #include <pointmill/io/write_cloud.h>
 #include <pointmill/io/write_file.h>
 #include <pointmill/mill/mill_job.h>
@@ -218,7 +219,7 @@ void MillJob::write(const std::string& directory)
     return (staging.path() / name).string();
   };
   std::vector<std::string> names;
-  timed("pictures", 0.8, [&] {
+  timed("pictures", [&] {
     int number = 0;
     for (const double level : shownLevels(*this)) {
       names.push_back("occupancy_" + std::to_string(++number) + ".png");
@@ -237,7 +238,10 @@ void MillJob::write(const std::string& directory)
         *surface_, *map_, kCurvaturePoints, kCurvatureCells, options_.threads);
     writeCurvature(in("curvature.png"), bent.hollow, bent.ridge, tools());
     names.push_back("preview.png");
-    writePreview(in("preview.png"), sceneOf(*this, scan_name_));
+    {
+      const WorkStep step({0.1, 0.6});
+      writePreview(in("preview.png"), sceneOf(*this, scan_name_));
+    }
     names.push_back("deviation.png");
     writeDeviation(in("deviation.png"), verification().deviations, options_.tolerance);
     if (!verification().findings.empty()) {
@@ -245,11 +249,11 @@ void MillJob::write(const std::string& directory)
       writeFindings(in("findings.png"), scan_name_, judgement_, criteria_);
     }
   });
-  timed("page", 0.93, [&] {
+  timed("page", [&] {
     writeJobPage(in("report.html"), *this, scan_name_, names, true);
     names.push_back("report.html");
   });
-  timed("files", 0.95, [&] {
+  timed("files", [&] {
     names.push_back("part.pcd");
     writeCloud(in("part.pcd"), *part_);
     for (const auto& name : criteria_.writeClouds(staging.path().string()))
@@ -272,7 +276,9 @@ void MillJob::write(const std::string& directory)
     writeFileAtomically(in(program.name),
                         [&](std::ostream& out) { out << program.text; });
   }
+  checkInterrupted(); // from here on it is all or nothing
   install(staging.path(), directory, names, leftIn(directory));
+  files_ = names;
 }
 
 void MillJob::writeRefusal(const std::string& directory)
@@ -280,6 +286,7 @@ void MillJob::writeRefusal(const std::string& directory)
   if (passed_ || verification().findings.empty())
     throw VerificationError("there is no program that was refused");
   Staging staging(directory);
+  const WorkStep step("picture", {done_, 1.0});
   writeFindings(
       (staging.path() / "refused.png").string(), scan_name_, judgement_, criteria_);
   writeFileAtomically((staging.path() / "refused.json").string(),
@@ -295,6 +302,7 @@ void MillJob::writeRefusal(const std::string& directory)
                scan_name_,
                {"refused.png", "preview.png", "deviation.png"},
                false);
+  checkInterrupted(); // from here on it is all or nothing
   earlier_program_ = false;
   for (const auto& name : programsIn(directory)) {
     std::error_code failure;
@@ -306,8 +314,8 @@ void MillJob::writeRefusal(const std::string& directory)
       throw DataError(old.string() + ": cannot be renamed: " + failure.message());
     earlier_program_ = true;
   }
-  install(
-      staging.path(), directory, {"refused.png", "refused.html", "refused.json"}, {});
+  files_ = {"refused.png", "refused.html", "refused.json"};
+  install(staging.path(), directory, files_, {});
 }
 
 } // namespace pointmill

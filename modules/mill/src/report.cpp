@@ -147,7 +147,9 @@ Json operationJson(const PlannedOperation& planned, const Verification& verifica
   return json;
 }
 
-Json verificationJson(const Judgement& judgement, double tolerance)
+} // namespace
+
+Json json::verification(const Judgement& judgement, double tolerance)
 {
   const Verification& v = judgement.verification;
   Json findings = Json::array();
@@ -192,6 +194,8 @@ Json verificationJson(const Judgement& judgement, double tolerance)
           {"rapid_mm", v.rapid_length},
           {"findings", findings}};
 }
+
+namespace {
 
 const char* nameOf(Unit unit)
 {
@@ -259,7 +263,7 @@ std::string reportJson(const MillJob& job, const std::string& scan_name)
         {{"name", planned.operation.name}, {"tool", planned.operation.tool.number}});
   report["minutes"] = job.minutes();
   report["verification"] =
-      verificationJson(job.judgement(), job.criteria().gougeLimit());
+      json::verification(job.judgement(), job.criteria().gougeLimit());
   report["warnings"] = warningsOf(job);
   report["seconds"] = Json::object();
   for (const auto& [stage, seconds] : job.seconds())

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the PointMill authors
 // What the roughing operations cut, from the big tool to the skins on the walls.
+#include <pointmill/common/watch.h>
 #include <pointmill/mill/mill_job.h>
 #include <pointmill/rough/grid_roughing.h>
 #include <pointmill/rough/high_speed_roughing.h>
@@ -27,6 +28,9 @@ constexpr double kMinSkin = 0.05;
 constexpr double kWallAllowance = 0.75;
 /// Radius of the arcs that lead into and out of passes [diameters].
 constexpr double kLeadRadius = 0.1;
+
+/// What the levels are of the work; the rest is linking their passes.
+constexpr double kLevelsShare = 0.6;
 
 /// Calls plan(roughing) with the strategy of that name.
 template <typename Plan>
@@ -66,10 +70,14 @@ void MillJob::planLevels(Strategy& roughing,
   roughing.setInputCloud(map_);
   CLCloud passes;
   const auto start = std::chrono::steady_clock::now();
-  roughing.filter(passes);
+  {
+    const WorkStep step({0.0, kLevelsShare});
+    roughing.filter(passes);
+  }
   planned.parameters = listParameters(roughing);
   planned.report = roughing.getReport();
   planned.narrow = roughing.getNarrowPlaces();
+  const WorkStep step({kLevelsShare, 1.0});
   if (!passes.empty())
     link(planned, passes, kLeadRadius * job.tool.endDiameter());
   if (planned.operation.path.empty()) { // nothing that is worth this tool's while

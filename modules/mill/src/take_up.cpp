@@ -2,6 +2,7 @@
 // Copyright (c) 2026, the PointMill authors
 // From the file of a scan to the surface that is to be milled.
 #include <pointmill/align/strays.h>
+#include <pointmill/common/watch.h>
 #include <pointmill/io/raw_scan.h>
 #include <pointmill/io/scan.h>
 #include <pointmill/mill/mill_job.h>
@@ -33,6 +34,9 @@ constexpr double kMostRaised = 0.8;
 constexpr double kFewestNeighbours = 24, kMostNeighbours = 120;
 /// Points may lie this share of the tolerance off a patch of the smooth surface.
 constexpr double kFidelity = 0.25;
+
+/// To measure the noise is this share of the work of taking it off.
+constexpr double kNoiseShare = 0.2;
 
 /// Voids between points this far from the next one are bridged, in radii of the last
 /// tool: nearer by, quadrics through the points hold it up.
@@ -89,10 +93,10 @@ std::string length(double mm)
 void MillJob::readAndAlign(const std::string& scan)
 {
   RawScan raw;
-  timed("read", 0.0, [&] { raw = readScan(scan); });
+  timed("read", [&] { raw = readScan(scan); });
 
   Scan prepared;
-  timed("prepare", 0.03, [&] {
+  timed("prepare", [&] {
     // Samples so near that the finest tool sinks less than a tenth of the tolerance
     // between them: R - sqrt(R^2 - s^2 / 2) at the middle of a square of edge s.
     const double sink = options_.tolerance / 10;
@@ -110,7 +114,7 @@ void MillJob::readAndAlign(const std::string& scan)
   scan_.nan_points = prepared.non_finite;
   scan_.scale = prepared.scale;
 
-  timed("align", 0.06, [&] {
+  timed("align", [&] {
     ZAlignment<pcl::PointXYZ> align;
     align.setUp(options_.up);
     align.setSquareToX(options_.square);
@@ -152,12 +156,15 @@ void MillJob::readAndAlign(const std::string& scan)
 
 void MillJob::makeSurface()
 {
-  timed("surface", 0.08, [&] {
+  timed("surface", [&] {
     points_ = std::make_shared<PointIndex>(indexOf(*part_));
     figures_ = SurfaceFigures();
-    figures_.noise = std::isnan(options_.noise)
-                         ? measureNoise(*part_, options_.seed).deviation
-                         : options_.noise;
+    {
+      const WorkStep step({0.0, kNoiseShare});
+      figures_.noise = std::isnan(options_.noise)
+                           ? measureNoise(*part_, options_.seed).deviation
+                           : options_.noise;
+    }
     const Tool& last = options_.finish.tool;
     const double sink = sinkBetweenPoints(last, scan_.spacing.p99);
     const bool noisy = figures_.noise > kLittle * options_.tolerance;
@@ -184,6 +191,7 @@ void MillJob::makeSurface()
     if (!figures_.smooth || !noisy || figures_.noise_kept)
       return;
     const double ratio = figures_.noise / (kNoiseLeft * options_.tolerance);
+    const WorkStep step({kNoiseShare, 1.0});
     PointSmoother<pcl::PointXYZ> smoother;
     smoother.setNoise(figures_.noise);
     smoother.setMostRaised(kMostRaised * options_.tolerance);
@@ -202,7 +210,7 @@ void MillJob::makeSurface()
 
 void MillJob::makeMap()
 {
-  timed("map", 0.1, [&] {
+  timed("map", [&] {
     const double void_between = std::max(scan_.spacing.median, 1e-3);
     const Tool& rough = options_.rough.tool;
     double cell = options_.cell; // no wider than the default step-over

@@ -4,6 +4,7 @@
 #include "border.h"
 #include "stretches.h"
 
+#include <pointmill/common/watch.h>
 #include <pointmill/rough/level_roughing.h>
 
 #include <algorithm>
@@ -71,6 +72,7 @@ std::vector<LevelPath> LevelRoughing::clearRest(const Level& level,
     const auto chains = round == 0 ? borderLoops(level)
                                    : freeRows(level, round == 1 ? level.stride() : 1);
     for (const auto& chain : chains) {
+      checkInterrupted();
       const std::size_t before = material.left();
       addStretches(level, chain, level.stride(), needed, material, paths);
       if (material.left() < before && round > 0) // a row clears its neighbours' too

@@ -123,7 +123,8 @@ void LevelMap::dropOnPoints()
 {
   const Tool grown = tool_.grown(allowance_ + wider_);
   lowest_.assign(grid_.size(), kNothing);
-  parallelFor(static_cast<std::size_t>(grid_.rows), threads_, [&](std::size_t row) {
+  const auto rows = static_cast<std::size_t>(grid_.rows);
+  parallelFor(rows, threads_, {0.0, 0.7}, [&](std::size_t row) {
     std::vector<Contact> contacts(static_cast<std::size_t>(grid_.columns));
     part_->dropRow(grown,
                    {grid_.x(0), grid_.y(static_cast<int>(row))},

@@ -27,6 +27,9 @@ std::pair<double, double> extentOf(const CellCloud& map, const std::string& who)
   return {bottom, top};
 }
 
+/// What maps and levels are of the work; the rest is their order.
+constexpr double kMapShare = 0.3, kLevelsShare = 0.95;
+
 double away(const Eigen::Vector3d& from, const PathPoint& to)
 {
   return (from - to.at).head<2>().norm();
@@ -73,11 +76,14 @@ void LevelRoughing::apply(CLCloud& output)
     report_.set("levels", 0);
     return;
   }
-  const LevelMap map(*input_,
-                     part_.get(),
-                     *stock,
-                     {tool_, allowance_, min_thickness_, min_width_, keep_out_},
-                     threads_);
+  const auto map = [&] {
+    const WorkStep step({0.0, kMapShare});
+    return LevelMap(*input_,
+                    part_.get(),
+                    *stock,
+                    {tool_, allowance_, min_thickness_, min_width_, keep_out_},
+                    threads_);
+  }();
   const auto planes = planesOf(map, floor, stock->stock().top(), stepDown(), min_flat_);
 
   struct Work {
@@ -87,7 +93,7 @@ void LevelRoughing::apply(CLCloud& output)
   };
   std::vector<Work> work(planes.size());
   const auto regions = map.regions(planes.back().z);
-  parallelFor(planes.size(), threads_, [&](std::size_t k) {
+  parallelFor(planes.size(), threads_, {kMapShare, kLevelsShare}, [&](std::size_t k) {
     const Level level(map, planes[k].z, step_over_, planes[k].below, &regions);
     if (level.isEmpty())
       return;

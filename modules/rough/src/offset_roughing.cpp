@@ -2,6 +2,7 @@
 // Copyright (c) 2026, the PointMill authors
 #include "offset_rings.h"
 
+#include <pointmill/common/watch.h>
 #include <pointmill/rough/offset_roughing.h>
 
 #include <algorithm>
@@ -81,6 +82,7 @@ private:
   {
     auto& lines = area.lines;
     while (!lines.empty()) {
+      checkInterrupted();
       const auto nearest = std::min_element(
           lines.begin(), lines.end(), [&](const auto& a, const auto& b) {
             return (a.points[beginningOf(a)] - at_).squaredNorm() <

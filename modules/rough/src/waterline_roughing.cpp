@@ -2,6 +2,7 @@
 // Copyright (c) 2026, the PointMill authors
 #include "wall_lines.h"
 
+#include <pointmill/common/watch.h>
 #include <pointmill/rough/waterline_roughing.h>
 
 #include <algorithm>
@@ -31,7 +32,8 @@ std::vector<LevelPath> WaterlineRoughing::clearLevel(const Level& level, Report&
     return radius > 0 && nominal_->highest(p.x(), p.y(), radius) > level.z() + kSkinTop;
   };
   std::vector<LevelPath> paths;
-  for (const auto& wall : wallLines(level))
+  for (const auto& wall : wallLines(level)) {
+    checkInterrupted();
     for (auto& stretch : neededStretches(wall, cuts, level.stepOver())) {
       if (stretch.closed)
         stretch.points.push_back(stretch.points.front());
@@ -42,6 +44,7 @@ std::vector<LevelPath> WaterlineRoughing::clearLevel(const Level& level, Report&
       if (path.points.size() > 1)
         paths.push_back(std::move(path));
     }
+  }
   return paths;
 }
 

@@ -2,6 +2,8 @@
 // Copyright (c) 2026, the PointMill authors
 #include "moves.h"
 
+#include <pointmill/common/watch.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -206,6 +208,8 @@ std::vector<SweptMove> collectMoves(const Program& program,
   moves.reserve(program.moves.size());
   std::uint32_t section = 0;
   for (std::size_t k = 0; k < program.moves.size(); ++k) {
+    if (k % 4096 == 0)
+      checkInterrupted();
     const ProgramMove& m = program.moves[k];
     while (section + 1 < sections.size() && sections[section + 1].move <= k)
       ++section;

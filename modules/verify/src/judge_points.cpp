@@ -3,6 +3,8 @@
 #include "moves.h"
 #include "perfect_pass.h"
 
+#include <pointmill/common/watch.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -119,9 +121,13 @@ void judgePoints(const PointIndex& surface,
                  Verification& result,
                  Findings& findings)
 {
+  // Sweeping takes most of the time; noisy scans are swept twice.
+  const double swept = raw ? 0.4 : 0.7, all_swept = raw ? 0.8 : swept;
   Heights heights{surface, {}, {}};
-  const Gouges gouges =
-      sweepPoints(surface, moves, limits.tolerance, threads, heights.left);
+  const Gouges gouges = [&] {
+    const WorkStep step({0.0, swept});
+    return sweepPoints(surface, moves, limits.tolerance, threads, heights.left);
+  }();
   note("gouge", gouges, findings);
   result.points = surface.size();
   result.gouge = gouges.depth;
@@ -132,6 +138,7 @@ void judgePoints(const PointIndex& surface,
     result.deviations = deviationCloud(heights);
   Heights measured{raw ? *raw : surface, {}, {}};
   if (raw) {
+    const WorkStep step({swept, all_swept});
     const Gouges deeper = sweepPoints(
         *raw, moves, limits.tolerance + limits.noise, threads, measured.left);
     note("scan_gouge", deeper, findings);
@@ -150,6 +157,7 @@ void judgePoints(const PointIndex& surface,
     return;
   }
   const double floor = std::max(surface.min().z(), limits.floor);
+  const WorkStep rest({all_swept, 1.0});
   const PerfectPass perfect(surface, *last->tool, floor, threads, keep_out);
   heights.perfect = perfect.heightsOver(surface, kClose);
   if (!keep_out.empty()) {

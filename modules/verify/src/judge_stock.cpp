@@ -43,12 +43,14 @@ StockEvents cutAll(StockField& field,
   }
   std::vector<StockEvents> events(static_cast<std::size_t>(count),
                                   StockEvents(sections));
-  parallelFor(events.size(), threads, [&](std::size_t band) {
+  parallelFor(events.size(), threads, {0.1, 1.0}, [&](std::size_t band) {
     const int row0 = static_cast<int>(band) * kRowsPerBand;
     const int row1 = std::min(field.rows(), row0 + kRowsPerBand);
     BandCutter cutter(field, row0, row1, moves, tools, limits, sections);
-    for (const auto k : bands[band])
+    for (const auto k : bands[band]) {
+      checkInterrupted();
       cutter.move(k);
+    }
     cutter.end();
     events[band] = cutter.events();
   });

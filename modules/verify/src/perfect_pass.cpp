@@ -41,7 +41,8 @@ public:
     tip_.resize(static_cast<std::size_t>(columns_) * rows_);
     contact_.resize(tip_.size());
     const CutterProfile cutter = tool.profile();
-    parallelFor(static_cast<std::size_t>(rows_), pass.threads_, [&](std::size_t row) {
+    const auto count = static_cast<std::size_t>(rows_);
+    parallelFor(count, pass.threads_, {0.0, 0.3}, [&](std::size_t row) {
       std::vector<Contact> contacts(static_cast<std::size_t>(columns_));
       part.dropRow(tool,
                    {x0_, y(static_cast<int>(row))},
@@ -269,7 +270,8 @@ std::vector<float> PerfectPass::heightsOver(const PointIndex& points,
 {
   std::vector<float> heights(points.size());
   const Tiles tiles(points, tool_.radius() / kTilesPerRadius, kPointsPerTile);
-  parallelFor(static_cast<std::size_t>(tiles.rows()), threads_, [&](std::size_t row) {
+  const auto rows = static_cast<std::size_t>(tiles.rows());
+  parallelFor(rows, threads_, {0.3, 1.0}, [&](std::size_t row) {
     TileSearch search(*grid_, tool_);
     Refinement refinement(*this, close);
     Tile tile;
@@ -277,6 +279,7 @@ std::vector<float> PerfectPass::heightsOver(const PointIndex& points,
       tiles.read(column, static_cast<int>(row), tile);
       if (tile.points.empty())
         continue;
+      checkInterrupted();
       search.search(tile);
       for (std::size_t i = 0; i < tile.points.size(); ++i) {
         const auto& p = tile.points[i];

@@ -2,6 +2,7 @@
 // Copyright (c) 2026, the PointMill authors
 #include <pointmill/common/error.h>
 #include <pointmill/common/parameters.h>
+#include <pointmill/common/watch.h>
 #include <pointmill/verify/program_time.h>
 
 #include <algorithm>
@@ -199,6 +200,8 @@ ProgramTime programTime(const Program& program,
 
   bool stop = true;
   for (std::size_t i = 0; i < program.moves.size(); ++i) {
+    if (i % 4096 == 0)
+      checkInterrupted();
     const ProgramMove& move = program.moves[i];
     SectionTime& section = time.sections[sections.of(i)];
     if (needsChange(program, i)) {

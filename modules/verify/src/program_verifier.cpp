@@ -4,12 +4,18 @@
 
 #include <pointmill/common/error.h>
 #include <pointmill/common/parameters.h>
+#include <pointmill/common/watch.h>
 #include <pointmill/surface/raw_stock.h>
 
 #include <cmath>
 #include <set>
 
 namespace pointmill {
+namespace {
+// What the points and the stock are of the work.
+constexpr double kPointsShare = 0.7, kStockBegins = 0.75;
+} // namespace
+
 Verification ProgramVerifier::verify(const Program& program) const
 {
   validateParameters(*this, "ProgramVerifier");
@@ -30,29 +36,37 @@ Verification ProgramVerifier::verify(const Program& program) const
   const double safe = std::max(stock_.top(), keep_out_.highestTop());
   const auto moves = collectMoves(
       program, tools_, {stock_, machine_, safe, tolerance_}, result, findings);
-  judgePoints(model_ ? *model_ : *part_,
-              model_ ? part_.get() : nullptr,
-              moves,
-              {tolerance_, noise_allowance_, floor_},
-              keep_out_,
-              threads_,
-              result,
-              findings);
-  const PointIndex& part = model_ ? *model_ : *part_;
-  judgeBends(part, moves, tolerance_, threads_, findings);
-  judgeBodies(part, moves, tolerance_, threads_, findings);
-  if (protected_) {
-    std::vector<float> height;
-    const Gouges gouges = sweepPoints(*protected_, moves, tolerance_, threads_, height);
-    if (gouges.count > 0)
-      findings.add(
-          "gap", gouges.depth, gouges.at, gouges.line, gouges.tool, gouges.count);
+  {
+    const WorkStep step({0.0, kPointsShare});
+    judgePoints(model_ ? *model_ : *part_,
+                model_ ? part_.get() : nullptr,
+                moves,
+                {tolerance_, noise_allowance_, floor_},
+                keep_out_,
+                threads_,
+                result,
+                findings);
   }
-  const double blend = program.blend < 0 ? std::numeric_limits<double>::infinity()
-                                         : program.blend + program.merge;
-  if (blend > blend_limit_)
-    findings.add("blend", blend, Eigen::Vector3d::Zero(), 0, 0);
-  judgeKeepOut(keep_out_, moves, tolerance_, threads_, result, findings);
+  const PointIndex& part = model_ ? *model_ : *part_;
+  {
+    const WorkStep step({kPointsShare, kStockBegins});
+    judgeBends(part, moves, tolerance_, threads_, findings);
+    judgeBodies(part, moves, tolerance_, threads_, findings);
+    if (protected_) {
+      std::vector<float> height;
+      const Gouges gouges =
+          sweepPoints(*protected_, moves, tolerance_, threads_, height);
+      if (gouges.count > 0)
+        findings.add(
+            "gap", gouges.depth, gouges.at, gouges.line, gouges.tool, gouges.count);
+    }
+    const double blend = program.blend < 0 ? std::numeric_limits<double>::infinity()
+                                           : program.blend + program.merge;
+    if (blend > blend_limit_)
+      findings.add("blend", blend, Eigen::Vector3d::Zero(), 0, 0);
+    judgeKeepOut(keep_out_, moves, tolerance_, threads_, result, findings);
+  }
+  const WorkStep stock_step({kStockBegins, 1.0});
   judgeStock(raw_
                  ? stockOf(stock_, cell_, StockField::Bound::Nominal, *raw_, raw_reach_)
                  : StockField(stock_, cell_, StockField::Bound::Nominal),

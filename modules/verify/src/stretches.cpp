@@ -2,6 +2,8 @@
 // Copyright (c) 2026, the PointMill authors
 #include "stretches.h"
 
+#include <pointmill/common/watch.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -42,6 +44,7 @@ Stretches::Stretches(const std::vector<SweptMove>& moves) : moves_(moves)
     return s;
   };
   for (std::uint32_t k = 0; k < moves.size(); ++k) {
+    checkInterrupted();
     if (!stretches_.empty()) {
       const MoveStretch& open = stretches_.back();
       if (open.last - open.first < kMost && moves[k].tool == moves[k - 1].tool &&

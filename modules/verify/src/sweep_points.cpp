@@ -168,6 +168,7 @@ Gouges sweepPoints(const PointIndex& part,
   const int columns = (tiles.columns() + kBlock - 1) / kBlock;
   Bands bands(part.min().y(), edge, (tiles.rows() + kBlock - 1) / kBlock);
   for (std::size_t i = 0; i < stretches.size(); ++i) {
+    checkInterrupted();
     const MoveStretch& s = stretches[i];
     bands.add(i, s.a.y(), s.b.y(), s.cutter->radius() + s.aside);
   }
@@ -176,7 +177,7 @@ Gouges sweepPoints(const PointIndex& part,
     std::size_t gouged = 0;
   };
   std::vector<Outcome> outcomes(static_cast<std::size_t>(bands.count()));
-  parallelFor(outcomes.size(), threads, [&](std::size_t band) {
+  parallelFor(outcomes.size(), threads, {0.1, 1.0}, [&](std::size_t band) {
     const double y0 = part.min().y() + static_cast<double>(band) * edge;
     std::vector<std::vector<std::uint32_t>> near(static_cast<std::size_t>(columns));
     const auto columnOf = [&](double x) {
@@ -198,6 +199,7 @@ Gouges sweepPoints(const PointIndex& part,
         tiles.read(column, row, tile);
         if (tile.points.empty())
           continue;
+        checkInterrupted();
         sweep.sweep(tile, near[static_cast<std::size_t>(column / kBlock)]);
         for (std::size_t i = 0; i < tile.points.size(); ++i)
           height[tile.points[i].index] = sweep.heights()[i];

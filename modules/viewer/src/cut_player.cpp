@@ -2,6 +2,7 @@
 // Copyright (c) 2026, the PointMill authors
 #include <pointmill/common/error.h>
 #include <pointmill/common/parallel.h>
+#include <pointmill/common/watch.h>
 #include <pointmill/viewer/cut_player.h>
 
 #include <algorithm>
@@ -39,29 +40,38 @@ CutPlayer::CutPlayer(StockField stock,
   kept_.push_back(state_);
 }
 
-void CutPlayer::seek(double seconds, const Progress& progress)
+void CutPlayer::seek(double seconds)
 {
   time_ = std::clamp(seconds, 0.0, duration());
   if (ends_.empty())
     return;
-  const std::size_t target = move();
-  const double share = shareAt(time_);
-  if (target < state_.move || (target == state_.move && share < state_.share))
-    state_ = kept_[std::min(target / stride_, kept_.size() - 1)];
-  else if (target / stride_ > state_.move / stride_ &&
-           kept_.size() > state_.move / stride_ + 1)
-    state_ = kept_[std::min(target / stride_, kept_.size() - 1)];
+  try {
+    goTo(move(), shareAt(time_));
+  }
+  catch (...) { // a field that is cut in part is none
+    state_ = kept_.front();
+    time_ = 0;
+    throw;
+  }
+}
+
+void CutPlayer::goTo(std::size_t target, double share)
+{
+  const bool back =
+      target < state_.move || (target == state_.move && share < state_.share);
+  const std::size_t kept = std::min(target / stride_, kept_.size() - 1);
+  if (back || kept > state_.move / stride_)
+    state_ = kept_[kept];
+  const WorkStep step("cutting the stock", {0.0, 1.0});
   const std::size_t first = state_.move;
   while (true) {
     const std::size_t next = (state_.move / stride_ + 1) * stride_;
     if (next > target)
       break;
+    step.reach(double(state_.move - first) / double(target - first));
     forwardTo(next, 0.0);
     if (kept_.size() == next / stride_)
       kept_.push_back(state_);
-    if (progress)
-      progress(static_cast<double>(next - first) /
-               static_cast<double>(std::max<std::size_t>(1, target - first)));
   }
   forwardTo(target, share);
 }

@@ -2,6 +2,8 @@
 // Copyright (c) 2026, the PointMill authors
 #include "shapes.h"
 
+#include <pointmill/visual/deviation_picture.h>
+
 #include <vtkCellArray.h>
 #include <vtkFloatArray.h>
 #include <vtkNew.h>
@@ -158,18 +160,7 @@ deviationPoints(const pcl::PointCloud<pcl::PointXYZI>& deviation,
 visual::DeviationScale
 deviationScaleOf(const pcl::PointCloud<pcl::PointXYZI>& deviation, double tolerance)
 {
-  std::vector<float> sizes;
-  for (const auto& p : deviation)
-    if (!std::isnan(p.intensity))
-      sizes.push_back(std::abs(p.intensity));
-  double most = 0;
-  if (!sizes.empty()) {
-    const auto p99 =
-        sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() * 99 / 100);
-    std::nth_element(sizes.begin(), p99, sizes.end());
-    most = *p99;
-  }
-  return {tolerance, std::clamp(most, 4 * tolerance, 10 * tolerance)};
+  return {tolerance, deviationRange(deviation, tolerance)};
 }
 
 } // namespace pointmill::viewer

@@ -8,6 +8,7 @@
 
 #include <pointmill/common/error.h>
 #include <pointmill/common/parameters.h>
+#include <pointmill/common/watch.h>
 #include <pointmill/visual/deviation_picture.h>
 
 #include <array>
@@ -66,11 +67,13 @@ void eachPoint(const Points& points,
   const auto index = [&](double value, double low, std::uint32_t count) {
     return std::min(static_cast<std::uint32_t>((value - low) / cell), count - 1);
   };
-  for (const auto& p : points)
+  for (const auto& p : points) {
+    checkInterrupted();
     if (hasPlace(p))
       body(map.at(index(p.x, box.min().x(), map.width),
                   index(p.y, box.min().y(), map.height)),
            p);
+  }
 }
 
 /// Edge of a cell that nearly always holds a point where there is part [mm].
@@ -104,6 +107,7 @@ CellCloud mapOf(const Points& points, const Eigen::AlignedBox3d& box, double edg
 /// Cells that just missed the points around them take the mean of their neighbours.
 CellCloud closed(const CellCloud& map)
 {
+  checkInterrupted();
   CellCloud out = map;
   for (std::uint32_t r = 1; r + 1 < map.height; ++r)
     for (std::uint32_t c = 1; c + 1 < map.width; ++c) {
@@ -131,6 +135,7 @@ CellCloud closed(const CellCloud& map)
 struct Figures {
   explicit Figures(const Points& points, double tolerance)
   {
+    checkInterrupted();
     std::vector<float> sizes;
     for (const auto& p : points) {
       if (!hasPlace(p))
@@ -175,6 +180,7 @@ void drawScale(Canvas& canvas,
                const Points& points,
                const DeviationScale& scale)
 {
+  checkInterrupted();
   std::array<std::size_t, kBins> bins{};
   const auto share = [&](double deviation) { // 0 .. 1 along the bar
     return std::clamp(0.5 + 0.5 * deviation / scale.range, 0.0, 1.0);

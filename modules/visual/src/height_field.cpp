@@ -2,6 +2,8 @@
 // Copyright (c) 2026, the PointMill authors
 #include "height_field.h"
 
+#include <pointmill/common/watch.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -42,6 +44,7 @@ public:
   {
     project(0);
     for (int r = 0; r < grid_.rows(); ++r) {
+      checkInterrupted();
       if (r + 1 < grid_.rows())
         project(r + 1);
       std::vector<char>& full = full_[r & 1];

@@ -7,6 +7,8 @@
 #include "ruler.h"
 #include "splat.h"
 
+#include <pointmill/common/watch.h>
+
 #include <cmath>
 
 namespace pointmill::visual {
@@ -81,6 +83,7 @@ void drawPath(LineLayer& layer,
   Eigen::Vector3f before = Eigen::Vector3f::Zero();
   bool known = false;
   for (const PointCL& p : path) {
+    checkInterrupted();
     const bool place = isPlace(p);
     const Eigen::Vector3f now =
         place ? view.camera.project(p.x, p.y, p.z) : Eigen::Vector3f::Zero();

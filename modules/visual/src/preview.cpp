@@ -8,6 +8,7 @@
 #include "text.h"
 
 #include <pointmill/common/parameters.h>
+#include <pointmill/common/watch.h>
 #include <pointmill/visual/preview.h>
 
 #include <algorithm>
@@ -74,6 +75,7 @@ void writePreview(const std::string& path,
   Raster (*const paint[3])(const View&) = {scanPanel, pathPanel, milledPanel};
   const char* const names[3] = {"scan", "tool paths", "milled part"};
   for (int i = 0; i < 3; ++i) {
+    const WorkStep step({i / 3.0, (i + 1) / 3.0});
     canvas.fillRound(layout.card[i], static_cast<float>(layout.px(14)), kCard);
     paint[i](view).copyTo(canvas, layout.picture[i].x, layout.picture[i].y);
     drawText(canvas,

@@ -20,9 +20,11 @@ constexpr int kMaxRadius = 14; // px: points further apart stay apart
 template <typename Body>
 void forEach(const Camera& camera, const Points& points, const Body& body)
 {
-  for (const auto& p : points)
+  for (const auto& p : points) {
+    checkInterrupted();
     if (std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z))
       body(camera.project(p.x, p.y, p.z));
+  }
 }
 
 /// How far apart neighbours are in the picture, from the points in each of its tiles.

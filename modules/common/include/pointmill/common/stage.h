@@ -6,6 +6,7 @@
 #include <pointmill/common/parameters.h>
 #include <pointmill/common/point_types.h>
 #include <pointmill/common/report.h>
+#include <pointmill/common/watch.h>
 
 #include <pcl/filters/filter.h>
 #include <pcl/filters/impl/filter.hpp>
@@ -20,7 +21,8 @@ namespace pointmill {
 /// @brief A stage that turns a cloud of `In` into a cloud of `Out`, with the verbs of
 /// PCL's filters: `setInputCloud`, `setIndices`, `filter(output)`. It reads only
 /// `*indices_`, treats non-finite points as removed, and throws (pointmill::Error)
-/// before it touches `output`, or not at all.
+/// before it touches `output`, or not at all. A Watch tells how far it is and can stop
+/// it.
 ///
 /// A stage that keeps the point type is a `pcl::Filter<PointT>` instead; see @ref
 /// Filter.
@@ -44,6 +46,7 @@ public:
     checkParameters();
     if (!this->initCompute() || this->indices_->empty())
       throw DataError(name_ + ": the input cloud or its indices are empty");
+    const WorkStep whole({0.0, 1.0});
     Report fresh;
     std::swap(report_, fresh);
     Output result;
@@ -82,6 +85,7 @@ public:
   {
     if (!this->input_)
       throw DataError(getName() + ": no input cloud was set");
+    const WorkStep whole({0.0, 1.0});
     PointCloud result;
     applied_ = false;
     pcl::Filter<PointT>::filter(result);
@@ -137,8 +141,13 @@ auto run(const std::shared_ptr<const pcl::PointCloud<PointT>>& cloud,
 {
   using Out = detail::OutputOf<First>;
   typename pcl::PointCloud<Out>::Ptr next(new pcl::PointCloud<Out>);
-  first.setInputCloud(cloud);
-  first.filter(*next);
+  constexpr double share = 1.0 / (1 + sizeof...(rest));
+  {
+    const WorkStep step({0.0, share});
+    first.setInputCloud(cloud);
+    first.filter(*next);
+  }
+  const WorkStep others({share, 1.0});
   if constexpr (sizeof...(rest) == 0)
     return next;
   else

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <pointmill/common/error.h>
+#include <pointmill/common/watch.h>
 #include <pointmill/io/write_file.h>
 
 #include <pcl/common/io.h>
@@ -42,7 +43,10 @@ void writeCloud(const std::string& path, const pcl::PointCloud<PointT>& cloud)
   writeFileAtomically(path, [&](std::ostream& out) {
     out << pcl::PCDWriter::generateHeader<PointT>(cloud) << "DATA binary\n";
     std::vector<char> row(row_size);
+    std::size_t written = 0;
     for (const PointT& point : cloud) {
+      if (written++ % 4096 == 0)
+        checkInterrupted();
       char* to = row.data();
       for (const Piece& piece : pieces) {
         const char* from = reinterpret_cast<const char*>(&point) + piece.offset;

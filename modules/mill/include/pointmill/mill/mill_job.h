@@ -57,6 +57,12 @@ struct SurfaceFigures {
   Report smoothing;        ///< what PointSmoother did; empty where it was not needed
 };
 
+/// @brief What a stage is of a job's work.
+struct StageWork {
+  std::string stage;
+  double seconds = 0; ///< on some machine
+};
+
 /// @brief One file of the program that a job makes.
 struct ProgramText {
   std::string name; ///< "program.ngc"
@@ -70,14 +76,11 @@ struct ProgramText {
 /// read back from its text, fails; `write()` puts the files into a directory. Nothing
 /// is ever written of a program that did not pass, but with MillOptions::force, when
 /// the program's own head says what is wrong; writeRefusal() tells why.
+///
+/// Both are one whole to a Watch, of which `write()`, or writeRefusal(), is the end.
 class MillJob {
 public:
-  /// @brief Called when a stage begins, with the share of the work that is done.
-  using Progress = std::function<void(const std::string& stage, double done)>;
-
   explicit MillJob(MillOptions options) : options_(std::move(options)) {}
-
-  void setProgress(Progress progress) { progress_ = std::move(progress); }
 
   /// @throws ParameterError, DataError, VerificationError
   void plan(const std::string& scan);
@@ -96,6 +99,9 @@ public:
 
   /// @brief Whether writeRefusal() found a program of an earlier job.
   bool earlierProgram() const { return earlier_program_; }
+
+  /// @brief Names of what write() or writeRefusal() wrote into its directory.
+  const std::vector<std::string>& files() const { return files_; }
 
   /// @brief Refuses (DataError) a directory that would overwrite the scan or is a file.
   static void checkDirectory(const std::string& scan, const std::string& directory);
@@ -168,10 +174,12 @@ private:
   void setCriteria();
   void verify();
   void takeTimes();
-  void timed(const std::string& stage, double done, const std::function<void()>& work);
+  void estimateWork();
+  void timed(const std::string& stage, const std::function<void()>& work);
 
   MillOptions options_;
-  Progress progress_;
+  std::vector<StageWork> ahead_; // what is to be done yet
+  double done_ = 0;              // share of all the work
   std::string scan_path_, scan_name_;
   ScanFigures scan_;
   Eigen::Matrix4d alignment_ = Eigen::Matrix4d::Identity();
@@ -194,6 +202,7 @@ private:
   double floor_ = 0, bridged_area_ = 0;
   std::vector<PlannedOperation> operations_, idle_;
   std::vector<ProgramText> programs_;
+  std::vector<std::string> files_;
   GCodeWriter::Statistics program_figures_;
   Criteria criteria_;
   Judgement judgement_;

@@ -11,7 +11,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <map>
 #include <memory>
 #include <vector>
@@ -44,10 +43,9 @@ public:
   double duration() const { return ends_.empty() ? 0.0 : ends_.back(); }
   double time() const { return time_; }
 
-  /// @brief Called while a long way is gone, with the share of it that is done.
-  using Progress = std::function<void(double share)>;
   /// @brief Goes to a moment; before the start or after the end it stops there.
-  void seek(double seconds, const Progress& progress = {});
+  /// @throws Interrupted, see Watch; it is at the start then
+  void seek(double seconds);
 
   /// @brief The move that is under way, or has just ended.
   std::size_t move() const;
@@ -86,6 +84,7 @@ private:
 
   Eigen::Vector3d placeOn(std::size_t move, double share) const;
   double shareAt(double seconds) const;
+  void goTo(std::size_t target, double share);
   void forwardTo(std::size_t move, double share);
   void cut(const std::vector<Sweep>& sweeps);
 

@@ -41,12 +41,13 @@ void BufferPoints<PointT>::apply(CLCloud& output)
     std::size_t leaps = 0, raised = 0;
   };
   std::vector<Refined> passes(begin.size() - 1);
-  parallelFor(passes.size(), threads_, [&](std::size_t k) {
+  parallelFor(passes.size(), threads_, {0.0, 1.0}, [&](std::size_t k) {
     ChordRefiner refiner(*model, tool_, allowance_, floor, band_, shortest_);
     Refined& mine = passes[k];
     std::vector<CurvePoint> chord;
     Eigen::Vector3d last;
     for (std::size_t i = begin[k]; i < begin[k + 1]; ++i) {
+      checkInterrupted(); // all may be one pass
       const PointCL& p = (*this->input_)[ids[i]];
       CurvePoint at{{p.x, p.y, p.z}, {p.normal_x, p.normal_y, p.normal_z}};
       const double lowest = refiner.rest(at.tip.x(), at.tip.y()).tip;

@@ -19,8 +19,12 @@ void CLSurface<PointT>::apply(CLCloud& output)
   raster.floor = std::isfinite(floor_) ? floor_ : model->points().min().z();
   if (!polygon_.empty())
     raster.boundary = Boundary(polygon_, overhang_);
-  if (choose_)
+  constexpr double kChoice = 0.02; // of the work
+  if (choose_) {
+    const WorkStep choice({0.0, kChoice});
     raster.angle = rasterAngle(raster, *model);
+  }
+  const WorkStep rows({kChoice, 1.0});
   RasterPasses found = raster.over(*model);
   output.swap(found.path);
   const auto set = [&](const char* name, double value) {

@@ -40,7 +40,7 @@ void PointSmoother<PointT>::apply(PointCloud& output)
   };
   std::vector<Sums> sums(rows.size());
   const MostMoved most{getFarthest(), std::min(getFarthest(), most_raised_)};
-  parallelFor(rows.size(), threads_, [&](std::size_t row) {
+  parallelFor(rows.size(), threads_, {0.0, 1.0}, [&](std::size_t row) {
     Sums& mine = sums[row];
     auto& ids = rows[row];
     std::sort(ids.begin(), ids.end(), [&](std::size_t a, std::size_t b) {
