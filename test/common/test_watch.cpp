@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <mutex>
 #include <thread>
 #include <vector>
 
@@ -137,16 +138,16 @@ TEST(Watch, ParallelForTellsHowFarItIs)
 {
   for (const unsigned threads : {1u, 2u, 5u}) {
     const Watch watch;
-    const auto caller = std::this_thread::get_id();
+    std::mutex one_at_a_time;
     std::vector<double> seen;
     parallelFor(1000, threads, {0.2, 0.8}, [&](std::size_t) {
-      if (std::this_thread::get_id() == caller)
-        seen.push_back(watch.share());
+      const std::lock_guard<std::mutex> lock(one_at_a_time);
+      seen.push_back(watch.share());
     });
-    ASSERT_FALSE(seen.empty());
+    ASSERT_EQ(seen.size(), 1000u);
     EXPECT_TRUE(std::is_sorted(seen.begin(), seen.end())) << threads << " threads";
     EXPECT_GE(seen.front(), 0.2);
-    EXPECT_LT(seen.back(), 0.8);
+    EXPECT_LE(seen.back(), 0.8);
     EXPECT_GT(seen.back(), seen.front()) << threads << " threads";
     EXPECT_DOUBLE_EQ(watch.share(), 0.8);
   }

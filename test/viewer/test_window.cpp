@@ -142,7 +142,8 @@ TEST_F(Window, PlaysTheCutAndStops)
 TEST_F(Window, ShowsCloudsAsPclsViewerDoes)
 {
   open({POINTMILL_DATA "/saddle.pcd", "-ps", "4", "-bc", "20,20,40"});
-  EXPECT_GT(press("1"), 0u);
+  EXPECT_GT(press("2"), 1000u); // coloured by x instead of z
+  EXPECT_GT(press("1"), 1000u); // and back
   EXPECT_GT(press("u"), 1000u); // its table of colours
   closeBy("e");
 }
