@@ -148,7 +148,9 @@ TEST(Watch, ParallelForTellsHowFarItIs)
     EXPECT_TRUE(std::is_sorted(seen.begin(), seen.end())) << threads << " threads";
     EXPECT_GE(seen.front(), 0.2);
     EXPECT_LE(seen.back(), 0.8);
-    EXPECT_GT(seen.back(), seen.front()) << threads << " threads";
+    // The caller tells, which in so short a loop may have had nothing to do.
+    if (threads == 1)
+      EXPECT_GT(seen.back(), seen.front());
     EXPECT_DOUBLE_EQ(watch.share(), 0.8);
   }
 }
