@@ -149,8 +149,9 @@ TEST(Watch, ParallelForTellsHowFarItIs)
     EXPECT_GE(seen.front(), 0.2);
     EXPECT_LE(seen.back(), 0.8);
     // The caller tells, which in so short a loop may have had nothing to do.
-    if (threads == 1)
+    if (threads == 1) {
       EXPECT_GT(seen.back(), seen.front());
+    }
     EXPECT_DOUBLE_EQ(watch.share(), 0.8);
   }
 }
