@@ -70,7 +70,7 @@
   // ------------------------------------------------------------------ building its parts
 
   // Rise per run from which a quad of a height field is a wall, with an edge.
-  const STEEP = 1.7;
+  const STEEP = 2.5;
 
   // A height field through the centres of its cells. Walls have normals of their own, so
   // that edges stay crisp; the outline goes down to the floor.
@@ -138,7 +138,8 @@
       const corners = [[c, r], [c + 1, r], [c + 1, r + 1], [c, r + 1]];
       const h = corners.map((p) => z(p[0], p[1]));
       let v;
-      const steep = (Math.max(...h) - Math.min(...h)) / cell;
+      const steep =
+        Math.hypot(h[1] + h[2] - h[0] - h[3], h[2] + h[3] - h[0] - h[1]) / (2 * cell);
       if (steep > STEEP) {
         const [fx, fy] = fall(c, r), length = Math.hypot(fx, fy) || 1;
         const n = unit(steep * fx / length, steep * fy / length, 1);
