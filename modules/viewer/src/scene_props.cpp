@@ -2,11 +2,11 @@
 // Copyright (c) 2026, the PointMill authors
 #include "scene_props.h"
 
+#include "aim.h"
 #include "path_lines.h"
-#include "words.h"
+#include "scene_texts.h"
 
 #include <vtkActor.h>
-#include <vtkCamera.h>
 #include <vtkCellArray.h>
 #include <vtkMapper.h>
 #include <vtkNew.h>
@@ -18,7 +18,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 namespace pointmill::viewer {
 
@@ -63,6 +62,12 @@ SceneProps::SceneProps(const ViewerScene& scene,
       if (std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z))
         box.extend(Eigen::Vector3d(p.x, p.y, p.z));
   };
+  double clouds[6]; // which are there already
+  renderer_->ComputeVisiblePropBounds(clouds);
+  if (clouds[0] <= clouds[1]) {
+    box_.extend(Eigen::Vector3d(clouds[0], clouds[2], clouds[4]));
+    box_.extend(Eigen::Vector3d(clouds[1], clouds[3], clouds[5]));
+  }
   if (hasVolume(scene.stock)) {
     box_.extend(scene.stock.min);
     box_.extend(scene.stock.max);
@@ -322,173 +327,22 @@ void SceneProps::showFindings(const ViewerLook& look)
   }
 }
 
-std::string SceneProps::momentText(const ViewerLook& look) const
-{
-  std::string text;
-  if (look.finding && *look.finding < scene_.findings.size())
-    text += std::to_string(*look.finding + 1) + " of " +
-            std::to_string(scene_.findings.size()) + ": " +
-            scene_.findings[*look.finding].text + "\n";
-  if (look.level && *look.level < levels_.size() &&
-      (look.map || look.paths == ViewedPaths::Level))
-    text += "level " + std::to_string(*look.level + 1) + " of " +
-            std::to_string(levels_.size()) + ", Z" + numberText(levels_[*look.level]) +
-            "\n";
-  if (!scene_.player || scene_.player->program().moves.empty())
-    return text;
-  const CutPlayer& player = *scene_.player;
-  const Program& program = player.program();
-  const ProgramMove& move = program.moves[player.move()];
-  text += clockText(player.time()) + " of " + clockText(player.duration());
-  text += "   " + program.where(move.line);
-  if (player.sectionOf(player.move()) < program.sections.size())
-    text += "   " + program.sections[player.sectionOf(player.move())].name;
-  if (const Tool* tool = player.tool())
-    text += "   " + tool->describe();
-  const Eigen::Vector3d tip = player.tip();
-  if (tip.allFinite()) {
-    char place[96];
-    std::snprintf(
-        place, sizeof place, "\nX%.3f Y%.3f Z%.3f", tip.x(), tip.y(), tip.z());
-    text += place;
-  }
-  else
-    text += "\nabove everything";
-  text += move.rapid ? "   rapid" : "   F" + numberText(move.feed);
-  return text;
-}
-
-std::vector<Legend> SceneProps::legendsOf(const ViewerLook& look) const
-{
-  std::vector<Legend> legends;
-  const bool paths = scene_.path && (look.paths == ViewedPaths::All ||
-                                     look.paths == ViewedPaths::Level);
-  const bool stock = look.solid == ViewedSolid::Stock && scene_.player;
-  if (paths) {
-    const PathColours colours(scene_, look.colouring);
-    legends.push_back({colours.title(), colours.legend(), colours.isGradual()});
-    if (look.rapids && !colours.isGradual())
-      legends.back().entries.push_back({visual::kFaintInk, "rapids, dashed"});
-  }
-  if (stock && !(paths && look.colouring == PathColouring::Operation)) {
-    Legend cut{"cut last by", {}, false};
-    for (const auto& o : scene_.operations)
-      cut.entries.push_back(
-          {visual::mix(visual::kOperations[o.colour % visual::kOperationCount],
-                       visual::kPage,
-                       0.42f),
-           o.name});
-    cut.entries.push_back({visual::kRawStock, "stock, not cut"});
-    legends.push_back(std::move(cut));
-  }
-  if (look.solid == ViewedSolid::Deviation && scene_.deviation) {
-    Legend bar{"deviation, mm", {}, true};
-    const double t = deviation_scale_.tolerance, end = deviation_scale_.range;
-    const auto entry = [&](double at, const std::string& words) {
-      bar.entries.push_back({deviation_scale_.at(at), words});
-    };
-    // The colours jump at the tolerance.
-    entry(-end, numberText(-end) + " too deep");
-    entry(-t * 1.001, "");
-    entry(-t * 0.999, numberText(-t));
-    entry(0, "0");
-    entry(t * 0.999, "+" + numberText(t));
-    entry(t * 1.001, "");
-    entry(end, "+" + numberText(end) + " left");
-    legends.push_back(std::move(bar));
-    legends.push_back({"", {{visual::kNeverCut, "no tool came"}}, false});
-  }
-  if (look.map && scene_.map && look.level)
-    legends.push_back({"map",
-                       {{visual::kOccupied, "part"},
-                        {visual::kFree, "free"},
-                        {visual::kProtected, "gap, protected"}},
-                       false});
-  return legends;
-}
-
 void SceneProps::showTexts(const ViewerLook& look, int room)
 {
   overlay_.setVisible(look.texts);
   overlay_.setTitle(scene_.title);
-  overlay_.setMoment(momentText(look), room);
-  overlay_.setLegends(legendsOf(look));
+  overlay_.setMoment(momentText(scene_, levels_, look), room);
+  overlay_.setLegends(legendsOf(scene_, look, deviation_scale_));
   overlay_.layOut();
-}
-
-void SceneProps::fill(const Eigen::AlignedBox3d& box, bool beside_texts)
-{
-  const Eigen::Vector3d lo = box.min(), hi = box.max();
-  renderer_->ResetCamera(lo.x(), hi.x(), lo.y(), hi.y(), lo.z(), hi.z());
-  // The legend is on the right, figures are at the foot: what is free, from -1 to 1.
-  const Eigen::AlignedBox2d room(
-      Eigen::Vector2d(-0.94, beside_texts ? -0.78 : -0.94),
-      Eigen::Vector2d(beside_texts ? 0.72 : 0.94, beside_texts ? 0.88 : 0.94));
-  vtkCamera* camera = renderer_->GetActiveCamera();
-  constexpr int enough = 3; // perspective makes it no simple proportion
-  for (int i = 0; i < enough; ++i) {
-    Eigen::AlignedBox2d seen;
-    for (int corner = 0; corner < 8; ++corner) {
-      const Eigen::Vector3d p =
-          box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(corner));
-      Eigen::Vector3d view = p;
-      renderer_->WorldToView(view.x(), view.y(), view.z());
-      seen.extend(view.head<2>());
-    }
-    camera->Zoom((room.sizes().array() / seen.sizes().array()).minCoeff());
-    // The window's middle is given in its halves.
-    const Eigen::Vector2d off = seen.center() - room.center();
-    double now[2];
-    camera->GetWindowCenter(now);
-    camera->SetWindowCenter(now[0] + off.x(), now[1] + off.y());
-  }
 }
 
 void SceneProps::aim(const ViewerLook& look)
 {
-  struct Direction {
-    Eigen::Vector3d eye, up;
-  };
-  const Direction d = [&]() -> Direction {
-    switch (look.from) {
-    case ViewedFrom::Top:
-      return {{0, 0, 1}, {0, 1, 0}};
-    case ViewedFrom::Front:
-      return {{0, -1, 0}, {0, 0, 1}};
-    case ViewedFrom::Back:
-      return {{0, 1, 0}, {0, 0, 1}};
-    case ViewedFrom::Left:
-      return {{-1, 0, 0}, {0, 0, 1}};
-    case ViewedFrom::Right:
-      return {{1, 0, 0}, {0, 0, 1}};
-    case ViewedFrom::Iso:
-      break;
-    }
-    return {{-0.55, -1.0, 0.85}, {0, 0, 1}};
-  }();
-  vtkCamera* camera = renderer_->GetActiveCamera();
-  camera->SetFocalPoint(0, 0, 0);
-  camera->SetPosition(d.eye.x(), d.eye.y(), d.eye.z());
-  camera->SetViewUp(d.up.x(), d.up.y(), d.up.z());
-  camera->SetViewAngle(25);
-  camera->SetWindowCenter(0, 0);
-  camera->SetParallelProjection(look.from != ViewedFrom::Iso); // sizes are comparable
-  if (box_.isEmpty())
-    renderer_->ResetCamera();
-  else
-    fill(look.paths == ViewedPaths::All || look.paths == ViewedPaths::Level
-             ? box_with_paths_
-             : box_,
-         look.texts);
+  const bool paths = look.paths == ViewedPaths::All || look.paths == ViewedPaths::Level;
+  lookFrom(look.from, paths ? box_with_paths_ : box_, look.texts, renderer_);
   if (look.finding && *look.finding < scene_.findings.size() &&
-      scene_.findings[*look.finding].place) {
-    const Eigen::Vector3d& at = *scene_.findings[*look.finding].place;
-    const double near = 0.5 * diagonal_;
-    const Eigen::Vector3d eye = at + near * d.eye.normalized();
-    camera->SetFocalPoint(at.x(), at.y(), at.z());
-    camera->SetPosition(eye.x(), eye.y(), eye.z());
-  }
-  renderer_->ResetCameraClippingRange();
+      scene_.findings[*look.finding].place)
+    lookAt(*scene_.findings[*look.finding].place, 0.5 * diagonal_, renderer_);
 }
 
 } // namespace pointmill::viewer

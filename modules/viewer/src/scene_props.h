@@ -43,8 +43,6 @@ public:
   void aim(const ViewerLook& look);
 
 private:
-  /// Brings a box into the room that texts leave.
-  void fill(const Eigen::AlignedBox3d& box, bool beside_texts);
   /// Points, and fewer of them for while the view moves; the same where they are few.
   struct Dots {
     vtkSmartPointer<vtkActor> full, coarse;
@@ -59,8 +57,6 @@ private:
   void showLevel(const ViewerLook& look);
   void showFindings(const ViewerLook& look);
   void showTexts(const ViewerLook& look, int room);
-  std::string momentText(const ViewerLook& look) const;
-  std::vector<Legend> legendsOf(const ViewerLook& look) const;
 
   const ViewerScene& scene_;
   const std::vector<double>& levels_;

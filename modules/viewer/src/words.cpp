@@ -3,6 +3,7 @@
 #include "words.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <cstdio>
 
@@ -22,6 +23,13 @@ std::string clockText(double seconds)
   std::snprintf(
       text, sizeof text, "%ld:%02ld:%02ld", all / 3600, all / 60 % 60, all % 60);
   return text;
+}
+
+double secondsNow()
+{
+  return std::chrono::duration<double>(
+             std::chrono::steady_clock::now().time_since_epoch())
+      .count();
 }
 
 visual::Rgb scaleColour(float share)

@@ -12,6 +12,8 @@ namespace pointmill::viewer {
 std::string numberText(double value);
 /// @brief "1:23:45", hours, minutes and seconds.
 std::string clockText(double seconds);
+/// @brief Seconds of a clock that only goes on.
+double secondsNow();
 /// @brief Whether a background needs light writing.
 inline bool isDark(const visual::Rgb& background)
 {

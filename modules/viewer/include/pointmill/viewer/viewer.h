@@ -61,9 +61,6 @@ struct ViewerLook {
 class Viewer {
 public:
   Viewer(ViewerScene scene, const ViewerLook& look);
-  ~Viewer();
-  Viewer(const Viewer&) = delete;
-  Viewer& operator=(const Viewer&) = delete;
 
   /// @brief Opens a window, and returns when it is closed.
   /// @param playing whether the program plays from the beginning
@@ -90,7 +87,6 @@ public:
   static const std::string& help();
 
 private:
-  class Window;
   ViewerScene scene_;
   ViewerLook look_;
   std::vector<double> levels_;
