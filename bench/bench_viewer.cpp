@@ -89,7 +89,7 @@ void play(benchmark::State& state, int rows)
                                   program,
                                   ends,
                                   std::vector<Tool>{Tool::ball(1, 6)});
-  scene.section_colours = {0};
+  scene.sections = {{"finishing", 0}};
   ViewerLook look;
   look.paths = ViewedPaths::Trail;
   Viewer viewer(std::move(scene), look);

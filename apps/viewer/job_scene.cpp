@@ -7,6 +7,7 @@
 #include <pointmill/mill/check.h>
 #include <pointmill/mill/job_record.h>
 #include <pointmill/surface/raw_stock.h>
+#include <pointmill/viewer/program_path.h>
 
 #include <algorithm>
 #include <cmath>
@@ -35,25 +36,39 @@ StockField stockBefore(const Criteria& criteria)
   return StockField(criteria.stock, cell, StockField::Bound::Nominal);
 }
 
+std::string lower(std::string text)
+{
+  for (char& c : text)
+    c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return text;
+}
+
+std::string
+withTool(const std::string& name, int number, const std::vector<Tool>& tools)
+{
+  const auto tool = std::find_if(
+      tools.begin(), tools.end(), [&](const Tool& t) { return t.number == number; });
+  if (tool == tools.end())
+    return name;
+  return name.empty() ? tool->describe() : name + ", " + tool->describe();
+}
+
 /// A section of the program has the colour of the operation of its name and tool, where
 /// there is one.
-std::vector<int> coloursOf(const Program& program, const JobRecord& record)
+std::vector<ViewedSection> sectionsOf(const Program& program, const JobRecord& record)
 {
-  std::vector<int> colours;
+  std::vector<ViewedSection> sections;
   for (const auto& section : program.sections) {
-    const auto lower = [](std::string text) {
-      for (char& c : text)
-        c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-      return text;
-    };
     const auto at = std::find_if(
         record.operations.begin(), record.operations.end(), [&](const auto& o) {
           return o.tool == section.tool && lower(o.name) == lower(section.name);
         });
-    colours.push_back(at != record.operations.end() ? at->colour
-                                                    : static_cast<int>(colours.size()));
+    const bool known = at != record.operations.end();
+    sections.push_back(
+        {withTool(known ? at->name : section.name, section.tool, record.criteria.tools),
+         known ? at->colour : static_cast<int>(sections.size())});
   }
-  return colours;
+  return sections;
 }
 
 ViewedFinding viewed(const Finding& finding, const Program& program)
@@ -77,13 +92,8 @@ void addPath(ViewerScene& scene,
   scene.path = readPoints<PointCL>(path);
   std::size_t first = 0;
   for (const auto& o : operations) {
-    const auto tool = std::find_if(
-        tools.begin(), tools.end(), [&](const Tool& t) { return t.number == o.tool; });
     scene.operations.push_back(
-        {o.name + (tool == tools.end() ? "" : ", " + tool->describe()),
-         o.colour,
-         first,
-         o.cl_points});
+        {withTool(o.name, o.tool, tools), o.colour, first, o.cl_points});
     first += o.cl_points;
   }
 }
@@ -128,9 +138,11 @@ ViewerScene sceneOfJob(const std::string& directory,
   }
   for (const auto& finding : record.findings)
     scene.findings.push_back(viewed(finding, *program));
-  scene.section_colours = coloursOf(*program, record);
+  scene.sections = sectionsOf(*program, record);
   scene.player = std::make_shared<CutPlayer>(
       stockBefore(criteria), program, std::move(ends), criteria.tools);
+  if (!scene.path)
+    addProgramPath(scene);
   return scene;
 }
 

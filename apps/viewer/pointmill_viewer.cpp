@@ -46,7 +46,9 @@ ViewerScene sceneOf(const ViewerOptions& options)
       addCloud(
           scene, std::filesystem::path(path).filename().string(), readScanFields(path));
   if (scene.title.empty())
-    scene.title = std::filesystem::path(options.inputs.front()).filename().string();
+    for (const auto& path : options.inputs)
+      scene.title += (scene.title.empty() ? "" : ", ") +
+                     std::filesystem::path(path).filename().string();
   return scene;
 }
 

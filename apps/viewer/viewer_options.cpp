@@ -149,7 +149,11 @@ void declare(CLI::App& app, ViewerOptions& o)
   app.add_flag("--no-axes", o.no_axes, "hide the axes of the part frame");
   app.add_flag("-q,--quiet", o.quiet, "do not tell how far it is");
   app.add_option("--screenshot", o.screenshot, "write a picture; needs no display")
-      ->type_name("PNG");
+      ->type_name("PNG")
+      ->check([](const std::string& name) {
+        const bool png = name.size() > 4 && name.substr(name.size() - 4) == ".png";
+        return png ? std::string() : name + ": pictures are .png";
+      });
   choice<ViewedFrom>(
       app,
       "--view",

@@ -48,7 +48,7 @@ ViewerScene scene()
   s.title = "block";
   s.stock = block();
   s.player = playerOf(twoCuts());
-  s.section_colours = {0, 1};
+  s.sections = {{"slot", 0}, {"groove", 1}};
   return s;
 }
 

@@ -272,20 +272,22 @@ void MillJob::plan(const std::string& scan)
   const double rough_left = 0.6 * options_.rough.allowance;
   if (options_.rest)
     timed("rest roughing, T" + std::to_string(options_.rest->tool.number),
-          [&] { planRest(*options_.rest, "rest roughing", 5); });
+          [&] { planRest(*options_.rest, "rest roughing"); });
   ToolJob rest = options_.semi;
   rest.allowance = std::max(rest.allowance, rough_left);
-  timed("rest roughing", [&] { planRest(rest, "rest roughing", 1); });
-  timed("walls", [&] { planWalls(options_.semi, "walls", 1); });
+  timed("rest roughing", [&] { planRest(rest, "rest roughing"); });
+  timed("walls", [&] { planWalls(options_.semi, "walls"); });
   timed("semi-finishing", [&] {
     planFinishing(options_.semi, "semi-finishing", options_.semi_scallop, false);
   });
   rest = options_.finish;
   rest.allowance = std::max(rest.allowance, options_.semi.allowance);
-  timed("rest roughing, fine", [&] { planRest(rest, "rest roughing, fine", 3); });
-  timed("walls, fine", [&] { planWalls(options_.finish, "walls, fine", 3); });
+  timed("rest roughing, fine", [&] { planRest(rest, "rest roughing, fine"); });
+  timed("walls, fine", [&] { planWalls(options_.finish, "walls, fine"); });
   timed("finishing",
         [&] { planFinishing(options_.finish, "finishing", options_.scallop, true); });
+  for (std::size_t i = 0; i < operations_.size(); ++i)
+    operations_[i].colour = static_cast<int>(i);
   timed("write", [&] { writeProgram({}); });
   setCriteria();
   timed("verify", [&] { verify(); });

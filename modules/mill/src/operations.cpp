@@ -133,7 +133,7 @@ void MillJob::planFinishing(const ToolJob& job,
                             double scallop,
                             bool across)
 {
-  PlannedOperation planned(job, name, across ? 4 : 2);
+  PlannedOperation planned(job, name);
   const auto start = std::chrono::steady_clock::now();
   const CLCloud passes = [&] {
     const WorkStep step({0.0, kPassesShare});

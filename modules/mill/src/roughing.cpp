@@ -56,10 +56,9 @@ void withStrategy(RoughingStrategy strategy, Plan&& plan)
 template <typename Strategy>
 void MillJob::planLevels(Strategy& roughing,
                          const ToolJob& job,
-                         const std::string& name,
-                         int colour)
+                         const std::string& name)
 {
-  PlannedOperation planned(job, name, colour);
+  PlannedOperation planned(job, name);
   roughing.setTool(job.tool);
   roughing.setAllowance(job.allowance);
   roughing.setFloor(floor_);
@@ -98,20 +97,20 @@ void MillJob::planRoughing()
     roughing.setMinFlat(std::isnan(options_.min_flat)
                             ? tool.endDiameter() * tool.endDiameter()
                             : options_.min_flat);
-    planLevels(roughing, options_.rough, "roughing", 0);
+    planLevels(roughing, options_.rough, "roughing");
   });
 }
 
-void MillJob::planRest(const ToolJob& job, const std::string& name, int colour)
+void MillJob::planRest(const ToolJob& job, const std::string& name)
 {
   const double end = job.tool.endDiameter();
   OffsetRoughing rest; // what is left are small places: contours are shortest there
   rest.setStepOver(kRoughStepOver * end);
   rest.setRestLimits(kRestThickness * end, kRestWidth * end);
-  planLevels(rest, job, name, colour);
+  planLevels(rest, job, name);
 }
 
-void MillJob::planWalls(ToolJob job, const std::string& name, int colour)
+void MillJob::planWalls(ToolJob job, const std::string& name)
 {
   const double end = job.tool.endDiameter();
   job.allowance *= kWallAllowance;
@@ -120,7 +119,7 @@ void MillJob::planWalls(ToolJob job, const std::string& name, int colour)
   walls.setStepOver(kRoughStepOver * end);
   walls.setNominalStock(nominal_);
   walls.setMinSkin(kMinSkin * end);
-  planLevels(walls, job, name, colour);
+  planLevels(walls, job, name);
 }
 
 } // namespace pointmill

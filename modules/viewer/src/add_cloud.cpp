@@ -7,9 +7,9 @@
 
 #include <pcl/common/io.h>
 #include <pcl/conversions.h>
+#include <pcl/point_types.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace pointmill {
 
@@ -22,16 +22,19 @@ bool has(const pcl::PCLPointCloud2& cloud, std::initializer_list<const char*> fi
   });
 }
 
-/// The cells that have a height: PCL shows others at wrong places.
-pcl::PCLPointCloud2::Ptr cellsOf(const CellCloud& map)
+/// Only the points that have a place: PCL shows clouds with others at wrong ones.
+pcl::PCLPointCloud2::Ptr finite(const pcl::PCLPointCloud2& cloud)
 {
-  CellCloud cells;
-  for (const PointCell& cell : map)
-    if (std::isfinite(cell.z))
-      cells.push_back(cell);
-  pcl::PCLPointCloud2::Ptr cloud(new pcl::PCLPointCloud2);
-  pcl::toPCLPointCloud2(cells, *cloud);
-  return cloud;
+  pcl::PointCloud<pcl::PointXYZ> places;
+  pcl::fromPCLPointCloud2(cloud, places);
+  pcl::Indices kept;
+  for (std::size_t i = 0; i < places.size(); ++i)
+    if (places[i].getVector3fMap().allFinite())
+      kept.push_back(static_cast<pcl::index_t>(i));
+  pcl::PCLPointCloud2::Ptr out(new pcl::PCLPointCloud2);
+  pcl::copyPointCloud(cloud, kept, *out);
+  out->is_dense = true;
+  return out;
 }
 
 } // namespace
@@ -56,11 +59,11 @@ void addCloud(ViewerScene& scene,
   else if (has(*cloud, {"label", "count"}) && cloud->height > 1) {
     auto map = std::make_shared<CellCloud>();
     pcl::fromPCLPointCloud2(*cloud, *map);
-    scene.clouds.push_back({name, cellsOf(*map)});
+    scene.clouds.push_back({name, finite(*cloud)});
     scene.map = map;
   }
   else
-    scene.clouds.push_back({name, cloud});
+    scene.clouds.push_back({name, finite(*cloud)});
 }
 
 ViewerLook lookFor(const ViewerScene& scene)

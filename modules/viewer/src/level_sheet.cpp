@@ -26,7 +26,7 @@ vtkSmartPointer<vtkActor> levelSheet(const CellCloud& map, double level_z)
     auto* pixel = static_cast<unsigned char*>(image->GetScalarPointer(0, row, 0));
     for (int column = 0; column < columns; ++column) {
       const visual::Rgb c =
-          visual::colourOf(visual::occupancyAt(map.at(column, row), level_z));
+          sheetColour(visual::occupancyAt(map.at(column, row), level_z));
       *pixel++ = visual::toByte(c.r);
       *pixel++ = visual::toByte(c.g);
       *pixel++ = visual::toByte(c.b);
@@ -50,7 +50,6 @@ vtkSmartPointer<vtkActor> levelSheet(const CellCloud& map, double level_z)
   actor->SetMapper(mapper);
   actor->SetTexture(texture);
   actor->GetProperty()->LightingOff();
-  actor->GetProperty()->SetOpacity(0.8);
   return actor;
 }
 

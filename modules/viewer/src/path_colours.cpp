@@ -107,8 +107,8 @@ std::vector<LegendEntry> PathColours::legend() const
       entries.push_back({turnOf(static_cast<std::size_t>(o.colour)), o.name});
     break;
   case PathColouring::Pass:
-    for (std::size_t i = 0; i < 2; ++i)
-      entries.push_back({turnOf(i), i == 0 ? "one pass" : "the next, and so on"});
+    for (std::size_t i = 0; i < visual::kOperationCount; ++i)
+      entries.push_back({turnOf(i), i == 0 ? "in turn" : ""});
     break;
   case PathColouring::Motion:
     for (std::size_t i = 1; i + 1 < std::size(kMotions); ++i)

@@ -61,6 +61,8 @@ void PlayWindow::redraw()
         static_cast<vtkSliderRepresentation*>(slider_->GetRepresentation()); // NOLINT
     bar->SetValue(view_.look().time);
   }
+  if (has_slider_)
+    view_.look().playing = timer_.has_value();
   view_.props().update(view_.look(), has_slider_ ? kSliderRoom : 0);
   view_.window()->Render();
 }

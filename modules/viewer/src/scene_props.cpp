@@ -100,10 +100,13 @@ void SceneProps::update(const ViewerLook& look, int room)
 
 void SceneProps::showSolid(const ViewerLook& look)
 {
-  const bool stock = look.solid == ViewedSolid::Stock && scene_.player;
+  // The map stands in its place: each would hide half of the other.
+  const ViewedSolid solid =
+      look.map && scene_.map && look.level ? ViewedSolid::None : look.solid;
+  const bool stock = solid == ViewedSolid::Stock && scene_.player;
   if (stock) {
     if (!stock_) {
-      stock_.emplace(scene_.player->stock(), scene_.section_colours);
+      stock_.emplace(scene_.player->stock(), scene_.sections);
       renderer_->AddActor(stock_->actor());
     }
     stock_->update(*scene_.player);
@@ -111,12 +114,12 @@ void SceneProps::showSolid(const ViewerLook& look)
   if (stock_)
     stock_->actor()->SetVisibility(stock);
 
-  part_.visible = look.solid == ViewedSolid::Part && scene_.part;
+  part_.visible = solid == ViewedSolid::Part && scene_.part;
   if (part_.visible && !part_.full)
     part_ = dots(scene_.part->size(), [&](std::size_t stride) {
       return partPoints(*scene_.part, scene_.map.get(), stride);
     });
-  deviation_.visible = look.solid == ViewedSolid::Deviation && scene_.deviation;
+  deviation_.visible = solid == ViewedSolid::Deviation && scene_.deviation;
   if (deviation_.visible && !deviation_.full)
     deviation_ = dots(scene_.deviation->size(), [&](std::size_t stride) {
       return deviationPoints(*scene_.deviation, deviation_scale_, stride);

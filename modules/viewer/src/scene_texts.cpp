@@ -2,11 +2,52 @@
 // Copyright (c) 2026, the PointMill authors
 #include "scene_texts.h"
 
+#include "shapes.h"
+#include "stock_surface.h"
 #include "words.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
+#include <limits>
 
 namespace pointmill::viewer {
+
+namespace {
+
+Legend stockLegend(const ViewerScene& scene)
+{
+  Legend cut{"cut last by", {}, false};
+  for (const auto& section : scene.sections) {
+    const LegendEntry entry{surfaceColour(section.colour), section.name};
+    if (std::none_of(cut.entries.begin(), cut.entries.end(), [&](const auto& known) {
+          return known.text == entry.text && same(known.colour, entry.colour);
+        }))
+      cut.entries.push_back(entry);
+  }
+  cut.entries.push_back({visual::kRawStock, "stock, not cut"});
+  return cut;
+}
+
+Legend heightLegend(const pcl::PointCloud<pcl::PointXYZ>& part)
+{
+  float low = std::numeric_limits<float>::infinity(), high = -low;
+  for (const auto& p : part)
+    if (std::isfinite(p.z)) {
+      low = std::min(low, p.z);
+      high = std::max(high, p.z);
+    }
+  Legend bar{"height, mm", {}, true};
+  constexpr int steps = 4;
+  for (int i = 0; i <= steps; ++i) {
+    const float share = static_cast<float>(i) / steps;
+    bar.entries.push_back(
+        {visual::heightColour(share), numberText(low + share * (high - low))});
+  }
+  return bar;
+}
+
+} // namespace
 
 std::string momentText(const ViewerScene& scene,
                        const std::vector<double>& levels,
@@ -28,6 +69,10 @@ std::string momentText(const ViewerScene& scene,
   const Program& program = player.program();
   const ProgramMove& move = program.moves[player.move()];
   text += clockText(player.time()) + " of " + clockText(player.duration());
+  if (look.playing)
+    text += *look.playing ? "   playing" : "   stopped";
+  if (look.playing)
+    text += " x" + numberText(look.speed);
   text += "   " + program.where(move.line);
   if (player.sectionOf(player.move()) < program.sections.size())
     text += "   " + program.sections[player.sectionOf(player.move())].name;
@@ -53,24 +98,17 @@ std::vector<Legend> legendsOf(const ViewerScene& scene,
   std::vector<Legend> legends;
   const bool paths = scene.path && (look.paths == ViewedPaths::All ||
                                     look.paths == ViewedPaths::Level);
-  const bool stock = look.solid == ViewedSolid::Stock && scene.player;
+  const bool stock = look.solid == ViewedSolid::Stock && scene.player && !look.map;
   if (paths) {
     const PathColours colours(scene, look.colouring);
     legends.push_back({colours.title(), colours.legend(), colours.isGradual()});
     if (look.rapids && !colours.isGradual())
       legends.back().entries.push_back({visual::kFaintInk, "rapids, dashed"});
   }
-  if (stock && !(paths && look.colouring == PathColouring::Operation)) {
-    Legend cut{"cut last by", {}, false};
-    for (const auto& o : scene.operations)
-      cut.entries.push_back(
-          {visual::mix(visual::kOperations[o.colour % visual::kOperationCount],
-                       visual::kPage,
-                       0.42f),
-           o.name});
-    cut.entries.push_back({visual::kRawStock, "stock, not cut"});
-    legends.push_back(std::move(cut));
-  }
+  if (stock)
+    legends.push_back(stockLegend(scene));
+  if (look.solid == ViewedSolid::Part && scene.part && !look.map)
+    legends.push_back(heightLegend(*scene.part));
   if (look.solid == ViewedSolid::Deviation && scene.deviation) {
     Legend bar{"deviation, mm", {}, true};
     const double t = scale.tolerance, end = scale.range;
@@ -89,11 +127,12 @@ std::vector<Legend> legendsOf(const ViewerScene& scene,
     legends.push_back({"", {{visual::kNeverCut, "no tool came"}}, false});
   }
   if (look.map && scene.map && look.level)
-    legends.push_back({"map",
-                       {{visual::kOccupied, "part"},
-                        {visual::kFree, "free"},
-                        {visual::kProtected, "gap, protected"}},
-                       false});
+    legends.push_back(
+        {"map",
+         {{sheetColour(visual::OccupancyKind::Occupied), "part"},
+          {sheetColour(visual::OccupancyKind::Free), "free"},
+          {sheetColour(visual::OccupancyKind::Protected), "gap, protected"}},
+         false});
   return legends;
 }
 

@@ -78,17 +78,29 @@ void SceneWindow::addCloud(const ViewedCloud& viewed)
                                  Eigen::Quaternionf::Identity(),
                                  viewed.name);
   };
-  // As pcl_viewer has them: keys 1, 2, 3 ... choose one.
+  // As pcl_viewer has them: keys 1, 2, 3 ... choose one. What a scanner measured beside
+  // the places is shown first.
   add(new PointCloudColorHandlerGenericField<pcl::PCLPointCloud2>(viewed.cloud, "z"));
+  int count = 1, first = 0;
   for (const auto& field : viewed.cloud->fields) {
-    if (field.name == "rgb" || field.name == "rgba")
+    if (field.name == "z" || field.name == "_")
+      continue;
+    const bool rgb = field.name == "rgb" || field.name == "rgba";
+    if (rgb)
       add(new PointCloudColorHandlerRGBField<pcl::PCLPointCloud2>(viewed.cloud));
     else if (field.name == "label")
       add(new PointCloudColorHandlerLabelField<pcl::PCLPointCloud2>(viewed.cloud));
-    else if (field.name != "z")
+    else
       add(new PointCloudColorHandlerGenericField<pcl::PCLPointCloud2>(viewed.cloud,
                                                                       field.name));
+    if (rgb || (field.name == "intensity" && first == 0))
+      first = count;
+    ++count;
   }
+  visualizer_->updateColorHandlerIndex(viewed.name, first);
+  if (first == 0) // else the fields' own colours are kept
+    visualizer_->setPointCloudRenderingProperties(
+        PCL_VISUALIZER_LUT, PCL_VISUALIZER_LUT_VIRIDIS, viewed.name);
   visualizer_->setPointCloudRenderingProperties(
       PCL_VISUALIZER_POINT_SIZE, look_.point_size, viewed.name);
 }

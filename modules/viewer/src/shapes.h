@@ -6,6 +6,7 @@
 #include <pointmill/common/stock.h>
 #include <pointmill/common/tool.h>
 #include <pointmill/visual/deviation_scale.h>
+#include <pointmill/visual/occupancy_kind.h>
 
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
@@ -30,6 +31,12 @@ vtkSmartPointer<vtkProp3D> toolShape(const Tool& tool);
 
 /// @brief The edges of the stock's box.
 vtkSmartPointer<vtkActor> stockEdges(const Stock& stock);
+
+/// @brief The map's colours, paler than in its pictures, so that paths are seen on it.
+inline visual::Rgb sheetColour(visual::OccupancyKind kind)
+{
+  return visual::mix(visual::colourOf(kind), visual::kPage, 0.45f);
+}
 
 /// @brief The bi-colour map at a level, as a sheet at its height.
 vtkSmartPointer<vtkActor> levelSheet(const CellCloud& map, double level_z);

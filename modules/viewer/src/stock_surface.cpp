@@ -18,21 +18,16 @@ namespace {
 /// What is less high over the bottom is nothing [mm].
 constexpr float kNothing = 1e-3f;
 
-/// Paler than lines of the same operation, which must be seen on it.
-visual::Rgb surfaceColour(int colour)
-{
-  return visual::mix(
-      visual::kOperations[colour % visual::kOperationCount], visual::kPage, 0.42f);
-}
-
 } // namespace
 
-StockSurface::StockSurface(const StockField& field, std::vector<int> colours)
+StockSurface::StockSurface(const StockField& field,
+                           const std::vector<ViewedSection>& sections)
     : columns_(field.columns()), rows_(field.rows()),
       bottom_(static_cast<float>(field.stock().min.z())),
-      section_colours_(std::move(colours)),
       gone_(static_cast<std::size_t>(columns_) * rows_, 0)
 {
+  for (const auto& section : sections)
+    palette_.push_back(surfaceColour(section.colour));
   // A ring of vertices round the cells stands on the stock's sides, at its bottom.
   const Stock& stock = field.stock();
   const double half = field.cellSize() / 2;
@@ -93,10 +88,6 @@ void StockSurface::update(const CutPlayer& player)
 {
   const StockField& field = player.stock();
   const auto& cut_by = player.cutBy();
-  std::vector<visual::Rgb> palette;
-  palette.reserve(section_colours_.size());
-  for (const int colour : section_colours_)
-    palette.push_back(surfaceColour(colour));
   bool holes_changed = false;
   float* xyz = coordinates_->GetPointer(0);
   unsigned char* rgb = colours_->GetPointer(0);
@@ -110,7 +101,7 @@ void StockSurface::update(const CutPlayer& player)
       holes_changed |= gone != gone_[cell];
       gone_[cell] = gone;
       const visual::Rgb& c =
-          cut_by[cell] < palette.size() ? palette[cut_by[cell]] : visual::kRawStock;
+          cut_by[cell] < palette_.size() ? palette_[cut_by[cell]] : visual::kRawStock;
       rgb[3 * v] = visual::toByte(c.r);
       rgb[3 * v + 1] = visual::toByte(c.g);
       rgb[3 * v + 2] = visual::toByte(c.b);

@@ -3,7 +3,7 @@
 #pragma once
 
 #include <pointmill/surface/stock_field.h>
-#include <pointmill/viewer/cut_player.h>
+#include <pointmill/viewer/viewer_scene.h>
 #include <pointmill/visual/colour.h>
 
 #include <vtkActor.h>
@@ -18,12 +18,19 @@
 
 namespace pointmill::viewer {
 
+/// @brief A colour of the palette on a surface that is lit: paler than lines of it,
+/// which are seen on it.
+inline visual::Rgb surfaceColour(int colour)
+{
+  return visual::mix(
+      visual::kOperations[colour % visual::kOperationCount], visual::kPage, 0.3f);
+}
+
 /// @brief The stock as a surface over its cells, with sides down to its bottom; each
 /// cell has the colour of the operation that last cut it.
 class StockSurface {
 public:
-  /// @param colours of the palette, for each section of the program
-  StockSurface(const StockField& field, std::vector<int> colours);
+  StockSurface(const StockField& field, const std::vector<ViewedSection>& sections);
 
   /// @brief Takes over what has been cut, or put back.
   void update(const CutPlayer& player);
@@ -40,8 +47,8 @@ private:
 
   int columns_, rows_;
   float bottom_;
-  std::vector<int> section_colours_;
-  std::vector<char> gone_; // cells of which nothing is left
+  std::vector<visual::Rgb> palette_; // of the sections
+  std::vector<char> gone_;           // cells of which nothing is left
   vtkNew<vtkFloatArray> coordinates_;
   vtkNew<vtkUnsignedCharArray> colours_;
   vtkNew<vtkPolyData> data_;

@@ -22,9 +22,8 @@ namespace pointmill {
 /// @brief One operation as planned, with what is worth telling.
 struct PlannedOperation {
   /// @brief Nothing yet of what @p job is to do.
-  PlannedOperation(const ToolJob& job, const std::string& name, int picture_colour)
-      : operation{name, job.tool, job.cutting, {}}, allowance(job.allowance),
-        colour(picture_colour)
+  PlannedOperation(const ToolJob& job, const std::string& name)
+      : operation{name, job.tool, job.cutting, {}}, allowance(job.allowance)
   {
   }
 
@@ -36,7 +35,7 @@ struct PlannedOperation {
   double volume_left = 0;          ///< of stock above the part [mm3]
   std::vector<NarrowPlace> narrow; ///< where the roughing tool does not get in
   double seconds = 0;              ///< to compute
-  int colour = 0; ///< in pictures, the same for the same kind of operation
+  int colour = 0;                  ///< in pictures: which of the palette's
 };
 
 /// @brief The scan as it was taken up.
@@ -153,13 +152,10 @@ private:
   void readRawStock();
   void makeStock();
   template <typename Strategy>
-  void planLevels(Strategy& roughing,
-                  const ToolJob& job,
-                  const std::string& name,
-                  int colour);
+  void planLevels(Strategy& roughing, const ToolJob& job, const std::string& name);
   void planRoughing();
-  void planRest(const ToolJob& job, const std::string& name, int colour);
-  void planWalls(ToolJob job, const std::string& name, int colour);
+  void planRest(const ToolJob& job, const std::string& name);
+  void planWalls(ToolJob job, const std::string& name);
   void planFinishing(const ToolJob& job,
                      const std::string& name,
                      double scallop,

@@ -50,6 +50,7 @@ struct ViewerLook {
   std::optional<std::size_t> finding; ///< that is looked at
   double time = 0.0;                  ///< of the program [s]
   double speed = 0.0;                 ///< of playing it; 0: all of it in a minute
+  std::optional<bool> playing;        ///< in a window: whether it plays
   double point_size = 3.0;            ///< px
   double axes = 0.0; ///< length [mm]; 0: a share of the part; less: none
   visual::Rgb background = visual::kPage;

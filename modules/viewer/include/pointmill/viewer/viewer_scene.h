@@ -34,6 +34,13 @@ struct ViewedOperation {
   std::size_t first = 0, count = 0;
 };
 
+/// @brief A section of a program, and its colour of the palette. Sections of one name
+/// are one operation.
+struct ViewedSection {
+  std::string name;
+  int colour = 0;
+};
+
 /// @brief Something that the verification found.
 struct ViewedFinding {
   std::string text; ///< "error gouge: ..." with its place
@@ -56,8 +63,7 @@ struct ViewerScene {
   double tolerance = 0.02; ///< deviations up to this are in order [mm]
   Stock stock;             ///< a box without volume is not there
   std::shared_ptr<CutPlayer> player;
-  /// For each section of the player's program its colour of the palette.
-  std::vector<int> section_colours;
+  std::vector<ViewedSection> sections; ///< of the player's program
   std::vector<ViewedFinding> findings;
 };
 

@@ -32,11 +32,17 @@ inline std::uint8_t toByte(float v)
   return static_cast<std::uint8_t>(std::clamp(v, 0.f, 1.f) * 255.f + 0.5f);
 }
 
-// Operations take turns in these, from the palette of Okabe and Ito, which people with
-// any colour vision tell apart.
-constexpr Rgb kOperations[] = {
-    hex(0x0072B2), hex(0xE69F00), hex(0x56B4E9), hex(0xCC79A7), hex(0x009E73)};
-constexpr int kOperationCount = 5;
+// Operations take turns in these, after the palette of Okabe and Ito, which people with
+// any colour vision tell apart; the yellow is darker than theirs, to be seen on white.
+constexpr Rgb kOperations[] = {hex(0x0072B2),
+                               hex(0xE69F00),
+                               hex(0x009E73),
+                               hex(0xCC79A7),
+                               hex(0xBFA500),
+                               hex(0x56B4E9),
+                               hex(0xD55E00),
+                               hex(0x6A3D9A)};
+constexpr int kOperationCount = 8;
 
 constexpr Rgb kRapid = hex(0x1A1A1A);
 constexpr Rgb kGap = hex(0xD55E00);
