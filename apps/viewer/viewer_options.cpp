@@ -66,6 +66,16 @@ void setBackground(ViewerOptions& options, const std::string& text)
   options.look.background = {rgb[0], rgb[1], rgb[2]};
 }
 
+std::optional<std::size_t> wholeNumber(const std::string& text)
+{
+  std::istringstream in(text);
+  std::size_t number = 0;
+  if (text.empty() || text[0] < '0' || text[0] > '9' || !(in >> number) ||
+      in.peek() != EOF)
+    return std::nullopt;
+  return number;
+}
+
 /// "90", "1:30", "0:01:30", "50%" or "line 123"
 double momentOf(const std::string& text, const ViewerScene& scene)
 {
@@ -77,26 +87,26 @@ double momentOf(const std::string& text, const ViewerScene& scene)
                          "50% or \"line 123\", not " +
                          text);
   };
-  std::istringstream in(text);
-  std::string word;
-  double number = 0;
   if (text.rfind("line", 0) == 0) {
-    in.ignore(4);
-    std::size_t line = 0;
-    if (!(in >> line) || !(in >> std::ws).eof())
-      return bad();
-    return player.endOf(player.moveOfLine(line));
+    const auto line = wholeNumber(text.substr(text.find_first_not_of("line ")));
+    if (!line || *line < 1 || *line > player.program().lines)
+      throw ParameterError("pointmill_viewer: --at: the program has lines 1 .. " +
+                           std::to_string(player.program().lines));
+    return player.endOf(player.moveOfLine(*line));
   }
-  double seconds = 0;
-  while (in >> number) {
+  std::istringstream in(text);
+  double seconds = 0, number = 0;
+  for (int parts = 1; parts <= 3 && in >> number; ++parts) {
+    if (number < 0 || (parts > 1 && number >= 60))
+      break;
     seconds = 60 * seconds + number;
-    if (in.eof())
-      return seconds <= player.duration() ? seconds : bad();
     const int next = in.get();
-    if (next == '%' && in.peek() == EOF && number >= 0 && number <= 100)
+    if (next == EOF && seconds <= player.duration())
+      return seconds;
+    if (next == '%' && in.peek() == EOF && parts == 1 && number <= 100)
       return player.duration() * number / 100;
     if (next != ':')
-      return bad();
+      break;
   }
   return bad();
 }
@@ -138,7 +148,7 @@ void declare(CLI::App& app, ViewerOptions& o)
       ->check(CLI::PositiveNumber);
   app.add_option("--at", o.at, "moment: seconds, h:mm:ss, a share as 50%, \"line 123\"")
       ->type_name("TIME");
-  app.add_flag("--play", o.play, "play from there");
+  CLI::Option* play = app.add_flag("--play", o.play, "play from there");
   numberOption(app, "--speed", o.look.speed, "X", "so much faster than the machine")
       ->default_str("all of it in a minute")
       ->check(CLI::Range(0.01, 1e5));
@@ -153,7 +163,8 @@ void declare(CLI::App& app, ViewerOptions& o)
       ->check([](const std::string& name) {
         const bool png = name.size() > 4 && name.substr(name.size() - 4) == ".png";
         return png ? std::string() : name + ": pictures are .png";
-      });
+      })
+      ->excludes(play);
   choice<ViewedFrom>(
       app,
       "--view",
@@ -218,9 +229,6 @@ ViewerLook lookOf(const ViewerOptions& o, const ViewerScene& scene)
     look.finding = *o.finding - 1;
   if (!o.at.empty())
     look.time = momentOf(o.at, scene);
-  else if (look.finding && scene.player && scene.findings[*look.finding].line > 0)
-    look.time = scene.player->endOf(
-        scene.player->moveOfLine(scene.findings[*look.finding].line));
   else if (scene.player && !o.play)
     look.time = scene.player->duration();
   return look;

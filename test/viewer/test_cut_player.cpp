@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -149,6 +150,40 @@ TEST(CutPlayer, KnowsWhatCutACellLast)
   EXPECT_EQ(by(30, 15), 0);                // where they cross: the groove is less deep
   EXPECT_EQ(by(10, 5), CutPlayer::kUncut); // beside both
   EXPECT_EQ(player->sectionOf(player->moveOfLine(19)), 1u);
+}
+
+TEST(CutPlayer, WhatCutACellDoesNotDependOnHowFinelyItIsMilled)
+{
+  // Down a ramp of 1 mm over 20 mm, in one move and in 800.
+  const std::string head = "G21 G17 G90 G94 G54\n(Operation 1: ramp)\nT1 M6\nG43 H1\n"
+                           "S8000 M3\nG0 X10 Y15\nG0 Z5\nG1 Z0 F600\n";
+  std::ostringstream chords;
+  chords << head;
+  for (int i = 1; i <= 800; ++i)
+    chords << "G1 X" << 10 + i * 0.025 << " Z" << -i * 0.00125 << "\n";
+  const auto one = playerOf(head + "G1 X30 Z-1\nG0 Z5\nM5\nM2\n");
+  const auto many = playerOf(chords.str() + "G0 Z5\nM5\nM2\n");
+  const auto ticks = playerOf(head + "G1 X30 Z-1\nG0 Z5\nM5\nM2\n");
+  one->seek(one->duration());
+  many->seek(many->duration());
+  for (double t = 0; t < ticks->duration(); t += 0.02)
+    ticks->seek(t);
+  ticks->seek(ticks->duration());
+  const auto cut = [](const CutPlayer& player) {
+    return std::count(player.cutBy().begin(), player.cutBy().end(), 0);
+  };
+  EXPECT_GT(cut(*one), 1500);
+  EXPECT_NEAR(cut(*many), cut(*one), 20);
+  EXPECT_NEAR(cut(*ticks), cut(*one), 20);
+}
+
+TEST(CutPlayer, FindsWhenTheToolIsNearestToAPlace)
+{
+  const auto player = playerOf(twoCuts());
+  player->seek(player->nearestInLine(9, {12, 15, -4}));
+  EXPECT_NEAR(player->tip().x(), 12, 1e-6);
+  player->seek(player->nearestInLine(9, {99, 15, -4})); // beyond its end
+  EXPECT_NEAR(player->tip().x(), 45, 1e-6);
 }
 
 TEST(CutPlayer, TellsHowFarItIsAndStops)

@@ -6,12 +6,15 @@
 #include "viewer_test.h"
 
 #include <pointmill/common/error.h>
+#include <pointmill/viewer/add_cloud.h>
+#include <pointmill/viewer/program_path.h>
 #include <pointmill/viewer/viewer.h>
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 using namespace viewer_test;
 
@@ -294,6 +297,44 @@ TEST_F(Pictures, CloudsAreShownWithAllTheirFields)
   s.clouds.push_back({"red.pcd", blob});
   ViewerLook look = bare();
   EXPECT_GT(all(draw(s, look), [](const Pixel& p) { return !isBackground(p); }), 10000);
+}
+
+TEST_F(Pictures, CloudsOfOneNameAreAllShownAndPointsWithoutAPlaceAreNot)
+{
+  const auto square = [](float x0) {
+    pcl::PointCloud<pcl::PointXYZ> cloud;
+    for (int i = 0; i < 100; ++i)
+      for (int k = 0; k < 100; ++k)
+        cloud.push_back({x0 + static_cast<float>(i), static_cast<float>(k), 0.f});
+    cloud.push_back({std::numeric_limits<float>::quiet_NaN(), 50, 5000});
+    pcl::PCLPointCloud2::Ptr blob(new pcl::PCLPointCloud2);
+    pcl::toPCLPointCloud2(cloud, *blob);
+    return blob;
+  };
+  ViewerScene s;
+  addCloud(s, "scan.pcd", square(0));
+  addCloud(s, "scan.pcd", square(200));
+  const Picture p = draw(s, bare());
+  const Extent e(p);
+  EXPECT_NEAR(double(e.width()) / e.height(), 3.0, 0.1); // both, and nothing else
+  EXPECT_GT(p.count(0, kWidth / 2, 0, kHeight, isBlue), 1000);
+  EXPECT_GT(p.count(kWidth / 2, kWidth, 0, kHeight, isOrange), 1000);
+}
+
+TEST_F(Pictures, AProgramWithoutClPointsHasThoseOfItsMoves)
+{
+  ViewerScene s = scene();
+  addProgramPath(s);
+  ASSERT_EQ(s.operations.size(), 2u);
+  EXPECT_EQ(s.operations[0].name, "slot");
+  EXPECT_EQ(s.operations[0].count + s.operations[1].count, s.path->size());
+  ViewerLook look = bare();
+  look.paths = ViewedPaths::All;
+  look.solid = ViewedSolid::None;
+  look.rapids = false;
+  const Picture p = draw(std::move(s), look);
+  EXPECT_GT(all(p, isBlue), 100);
+  EXPECT_GT(all(p, isOrange), 100);
 }
 
 TEST_F(Pictures, TextsStandAtTheSidesAndCanBeLeftOut)

@@ -62,18 +62,23 @@ protected:
   {
     return Screen::changed(before, screen_->pixels());
   }
-  /// Waits until nothing moves.
+  /// Waits until nothing has moved for a while; a loaded machine draws seldom.
   void settle() const
   {
-    std::vector<char> last;
+    using Clock = std::chrono::steady_clock;
+    constexpr auto still = std::chrono::milliseconds(2500);
+    auto last = screen_->pixels();
+    auto since = Clock::now();
     waitFor(
         [&] {
-          const bool still = !last.empty() && changedSince(last) == 0;
-          last = screen_->pixels();
-          std::this_thread::sleep_for(std::chrono::milliseconds(800));
-          return still;
+          auto now = screen_->pixels();
+          if (Screen::changed(last, now) > 0) {
+            last = std::move(now);
+            since = Clock::now();
+          }
+          return Clock::now() - since > still;
         },
-        20);
+        60);
   }
   /// How much a key changes.
   std::size_t press(const std::string& key) const
@@ -161,6 +166,10 @@ TEST_F(Window, SaysWhatIsWrongInsteadOfOpening)
   fails({}, 1, "INPUT");
   fails({job_->file("job"), "--view", "below"}, 1, "iso|top");
   fails({job_->file("job"), "--at", "soon"}, 1, "--at takes");
+  fails({job_->file("job"), "--at", "-5"}, 1, "--at takes");
+  fails({job_->file("job"), "--at", "1:90:99"}, 1, "--at takes");
+  fails({job_->file("job"), "--at", "line 99999999"}, 1, "has lines 1 ..");
+  fails({job_->file("job"), "--screenshot", "a.jpg"}, 1, ".png");
   fails({job_->file("job"), "--finding", "99"}, 1, "there is no finding 99");
   fails({job_->file("job"), "--level", "999"}, 1, "there is no level 999");
   fails({job_->file("none.pcd")}, 2, "none.pcd");

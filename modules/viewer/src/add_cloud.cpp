@@ -56,11 +56,18 @@ void addCloud(ViewerScene& scene,
     path += more;
     scene.path = std::make_shared<CLCloud>(std::move(path));
   }
-  else if (has(*cloud, {"label", "count"}) && cloud->height > 1) {
+  else if (has(*cloud, {"label", "count"}) && cloud->height > 1 && cloud->width > 1) {
     auto map = std::make_shared<CellCloud>();
     pcl::fromPCLPointCloud2(*cloud, *map);
-    scene.clouds.push_back({name, finite(*cloud)});
     scene.map = map;
+    CellCloud cells; // whatever stands for the height of cells that have none
+    for (const PointCell& cell : *map)
+      if (cell.getState() != CellState::Empty)
+        cells.push_back(cell);
+    pcl::PCLPointCloud2 shown;
+    pcl::toPCLPointCloud2(cells, shown);
+    if (!cells.empty())
+      scene.clouds.push_back({name, finite(shown)});
   }
   else
     scene.clouds.push_back({name, finite(*cloud)});

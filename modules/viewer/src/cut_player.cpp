@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace pointmill {
 
@@ -16,7 +17,7 @@ constexpr int kRowsPerBand = 16;
 /// So few are cut sooner than threads are started for them.
 constexpr std::size_t kFewSweeps = 16;
 /// What takes less, as rounding and overlapping passes do, did not cut the cell [mm].
-constexpr double kRounding = 5e-3;
+constexpr float kRounding = 5e-3f;
 
 } // namespace
 
@@ -26,7 +27,7 @@ CutPlayer::CutPlayer(StockField stock,
                      std::vector<Tool> tools,
                      unsigned threads)
     : program_(std::move(program)), ends_(std::move(ends)), tools_(std::move(tools)),
-      threads_(threads), stride_(0), state_{std::move(stock), {}, 0, 0.0}
+      threads_(threads), stride_(0), state_{std::move(stock), {}, {}, {}, 0, 0.0}
 {
   if (ends_.size() != program_->moves.size())
     throw DataError("the times are not those of the program's moves: " +
@@ -34,8 +35,11 @@ CutPlayer::CutPlayer(StockField stock,
                     std::to_string(program_->moves.size()));
   for (const Tool& tool : tools_)
     cutters_.try_emplace(tool.number, tool);
-  state_.cut_by.assign(
-      static_cast<std::size_t>(state_.stock.columns()) * state_.stock.rows(), kUncut);
+  const std::size_t cells =
+      static_cast<std::size_t>(state_.stock.columns()) * state_.stock.rows();
+  state_.cut_by.assign(cells, kUncut);
+  state_.touched_by.assign(cells, kUncut);
+  state_.taken.assign(cells, 0.f);
   stride_ = std::max<std::size_t>(1, (program_->moves.size() + kStates - 1) / kStates);
   kept_.push_back(state_);
 }
@@ -93,6 +97,28 @@ std::size_t CutPlayer::moveOfLine(std::size_t line) const
       });
   return std::min<std::size_t>(at - moves.begin(),
                                moves.empty() ? 0 : moves.size() - 1);
+}
+
+double CutPlayer::nearestInLine(std::size_t line, const Eigen::Vector3d& place) const
+{
+  const auto& moves = program_->moves;
+  double best = moves.empty() ? 0.0 : ends_[moveOfLine(line)];
+  double nearest = std::numeric_limits<double>::infinity();
+  for (std::size_t m = moveOfLine(line); m < moves.size() && moves[m].line == line;
+       ++m) {
+    const Eigen::Vector3d a = moves[m].from, way = moves[m].to - a;
+    if (!way.allFinite() || !a.allFinite())
+      continue;
+    const double length2 = way.squaredNorm();
+    const double share =
+        length2 > 0 ? std::clamp((place - a).dot(way) / length2, 0.0, 1.0) : 1.0;
+    const double distance = (a + share * way - place).norm();
+    if (distance < nearest) {
+      nearest = distance;
+      best = beginOf(m) + share * (ends_[m] - beginOf(m));
+    }
+  }
+  return best;
 }
 
 std::size_t CutPlayer::sectionOf(std::size_t move) const
@@ -169,6 +195,17 @@ void CutPlayer::forwardTo(std::size_t move, double share)
   state_.share = share;
 }
 
+void CutPlayer::take(std::size_t cell, std::uint8_t section, double depth)
+{
+  // In sum, since a move may come as any number of short ones.
+  if (state_.touched_by[cell] != section)
+    state_.taken[cell] = 0.f;
+  state_.touched_by[cell] = section;
+  state_.taken[cell] += static_cast<float>(depth);
+  if (state_.taken[cell] > kRounding)
+    state_.cut_by[cell] = section;
+}
+
 void CutPlayer::cut(const std::vector<Sweep>& sweeps)
 {
   StockField& field = state_.stock;
@@ -187,9 +224,9 @@ void CutPlayer::cut(const std::vector<Sweep>& sweeps)
       lowered.clear();
       field.cut(*s.cutter, s.a, s.b, row0, row1, &lowered);
       for (const LoweredCell& cell : lowered)
-        if (cell.depth > kRounding)
-          state_.cut_by[static_cast<std::size_t>(cell.row) * field.columns() +
-                        cell.column] = s.section;
+        take(static_cast<std::size_t>(cell.row) * field.columns() + cell.column,
+             s.section,
+             cell.depth);
     }
   };
   const int bands = (rows + kRowsPerBand - 1) / kRowsPerBand;

@@ -12,6 +12,9 @@
 #include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkObjectFactory.h>
 #include <vtk_glew.h>
+
+#include <memory>
+#include <utility>
 #endif
 
 namespace pointmill::viewer {
@@ -80,8 +83,14 @@ public:
   static EglWindow* New();
   vtkTypeMacro(EglWindow, vtkGenericOpenGLRenderWindow);
 
-  void MakeCurrent() override { context_.makeCurrent(); }
-  bool IsCurrent() override { return context_.isCurrent(); }
+  /// @brief What it draws with; made first, since VTK's objects must not fail to be.
+  void take(std::unique_ptr<EglContext> context) { context_ = std::move(context); }
+  void MakeCurrent() override
+  {
+    if (context_)
+      context_->makeCurrent();
+  }
+  bool IsCurrent() override { return context_ && context_->isCurrent(); }
   /// As VTK's, but that GLEW may miss an X display: OpenGL's functions are there then.
   void OpenGLInitContext() override
   {
@@ -105,7 +114,7 @@ protected:
   ~EglWindow() override { this->Finalize(); }
 
 private:
-  EglContext context_;
+  std::unique_ptr<EglContext> context_;
 };
 
 vtkStandardNewMacro(EglWindow);
@@ -114,7 +123,9 @@ vtkStandardNewMacro(EglWindow);
 
 vtkSmartPointer<vtkRenderWindow> makeOffscreenWindow(int width, int height)
 {
+  auto context = std::make_unique<EglContext>();
   auto window = vtkSmartPointer<EglWindow>::New();
+  window->take(std::move(context));
   window->SetSize(width, height);
   return window;
 }

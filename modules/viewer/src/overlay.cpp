@@ -84,11 +84,9 @@ Overlay::Overlay(vtkRenderer* renderer, const visual::Rgb& background)
   vtkTextProperty* box = help_->GetTextProperty();
   box->SetFontFamilyToCourier();
   box->SetBackgroundColor(paper_.r, paper_.g, paper_.b);
-  box->SetBackgroundOpacity(0.92);
+  box->SetBackgroundOpacity(1.0);
   box->SetFrame(true);
   box->SetFrameColor(faint_.r, faint_.g, faint_.b);
-  moment_->GetTextProperty()->SetBackgroundColor(paper_.r, paper_.g, paper_.b);
-  moment_->GetTextProperty()->SetBackgroundOpacity(0.8);
   for (auto* actor : {title_.Get(), moment_.Get(), hint_.Get(), help_.Get()})
     renderer_->AddActor2D(actor);
 }
@@ -102,6 +100,8 @@ vtkSmartPointer<vtkTextActor> Overlay::text(int size, bool bold)
   property->SetBold(bold);
   property->SetColor(ink_.r, ink_.g, ink_.b);
   property->SetLineSpacing(1.15);
+  property->SetBackgroundColor(paper_.r, paper_.g, paper_.b); // lest lines cross it
+  property->SetBackgroundOpacity(0.8);
   actor->SetInput("");
   return actor;
 }

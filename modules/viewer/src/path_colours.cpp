@@ -5,6 +5,7 @@
 #include "words.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace pointmill::viewer {
@@ -114,11 +115,20 @@ std::vector<LegendEntry> PathColours::legend() const
     for (std::size_t i = 1; i + 1 < std::size(kMotions); ++i)
       entries.push_back({kMotions[i], kMotionNames[i]});
     break;
-  default:
-    for (int i = 0; i <= 4; ++i)
-      entries.push_back(
-          {scaleColour(static_cast<float>(i) / 4),
-           numberText(low_ + (high_ - low_) * static_cast<float>(i) / 4)});
+  default: {
+    // Levels count from 1 for people, and there is nothing between two.
+    const bool whole = by_ != PathColouring::Height;
+    const float first = by_ == PathColouring::Level ? 1.f : 0.f;
+    const int steps = by_ == PathColouring::Level
+                          ? std::clamp(static_cast<int>(high_ - low_), 1, 4)
+                          : 4;
+    for (int i = 0; i <= steps; ++i) {
+      const float at = static_cast<float>(i) / static_cast<float>(steps);
+      const float value = low_ + (high_ - low_) * at;
+      const float shown = whole ? std::round(value) : value;
+      entries.push_back({scaleColour(shareOf(shown)), numberText(shown + first)});
+    }
+  }
   }
   return entries;
 }

@@ -87,12 +87,20 @@ void otherFinding(const ViewerScene& scene, bool back, ViewerLook& look)
     return;
   look.finding = !look.finding ? (back ? count - 1 : 0)
                                : (*look.finding + (back ? count - 1 : 1)) % count;
-  const std::size_t line = scene.findings[*look.finding].line;
-  if (scene.player && line > 0)
-    look.time = scene.player->endOf(scene.player->moveOfLine(line));
+  look.time = momentOf(scene, scene.findings[*look.finding], look.time);
 }
 
 } // namespace
+
+double
+momentOf(const ViewerScene& scene, const ViewedFinding& finding, double otherwise)
+{
+  if (!scene.player || finding.line == 0)
+    return otherwise;
+  const CutPlayer& player = *scene.player;
+  return finding.place ? player.nearestInLine(finding.line, *finding.place)
+                       : player.endOf(player.moveOfLine(finding.line));
+}
 
 bool changeLook(const std::string& key,
                 bool shift,

@@ -19,6 +19,10 @@ bool changeLook(const std::string& key,
                 const std::vector<double>& levels,
                 ViewerLook& look);
 
+/// @brief When the program does what was found; @p otherwise where nobody knows.
+double
+momentOf(const ViewerScene& scene, const ViewedFinding& finding, double otherwise);
+
 /// @brief Whether the camera goes elsewhere by the key.
 bool movesCamera(const std::string& key);
 

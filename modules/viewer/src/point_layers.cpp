@@ -82,16 +82,29 @@ public:
     step_x_ = (last.x - first.x) / static_cast<float>(map.width - 1);
     step_y_ = (last.y - first.y) / static_cast<float>(map.height - 1);
   }
+  /// Whether a point lies more than a cell's edge under the highest of its cell.
+  bool covers(float x, float y, float z) const
+  {
+    const float top = height(column(x), row(y));
+    return !std::isnan(top) && z < top - std::abs(step_x_);
+  }
   Eigen::Vector3f normalAt(float x, float y) const
   {
-    const int c = static_cast<int>(std::lround((x - map_.front().x) / step_x_));
-    const int r = static_cast<int>(std::lround((y - map_.front().y) / step_y_));
+    const int c = column(x), r = row(y);
     const float sx = slope(height(c - 1, r), height(c, r), height(c + 1, r), step_x_);
     const float sy = slope(height(c, r - 1), height(c, r), height(c, r + 1), step_y_);
     return Eigen::Vector3f(-sx, -sy, 1.f).normalized();
   }
 
 private:
+  int column(float x) const
+  {
+    return static_cast<int>(std::lround((x - map_.front().x) / step_x_));
+  }
+  int row(float y) const
+  {
+    return static_cast<int>(std::lround((y - map_.front().y) / step_y_));
+  }
   float height(int c, int r) const
   {
     return c < 0 || r < 0 || c >= static_cast<int>(map_.width) ||
@@ -143,16 +156,23 @@ vtkSmartPointer<vtkActor> partPoints(const pcl::PointCloud<pcl::PointXYZ>& part,
 
 vtkSmartPointer<vtkActor>
 deviationPoints(const pcl::PointCloud<pcl::PointXYZI>& deviation,
+                const CellCloud* map,
                 const visual::DeviationScale& scale,
                 std::size_t stride)
 {
   Dots dots(false);
+  std::optional<Slopes> slopes;
+  if (map && map->width > 1 && map->height > 1)
+    slopes.emplace(*map);
   for (std::size_t i = 0; i < deviation.size(); i += stride) {
-    const auto& p = deviation[i];
-    if (std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z))
-      dots.add(p,
-               std::isnan(p.intensity) ? visual::kNeverCut : scale.at(p.intensity),
-               Eigen::Vector3f::UnitZ());
+    pcl::PointXYZI p = deviation[i];
+    if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z) ||
+        (slopes && slopes->covers(p.x, p.y, p.z)))
+      continue;
+    const Rgb colour =
+        std::isnan(p.intensity) ? visual::kNeverCut : scale.at(p.intensity);
+    p.z += std::isnan(p.intensity) ? 0.f : p.intensity;
+    dots.add(p, colour, Eigen::Vector3f::UnitZ());
   }
   return dots.actor();
 }

@@ -53,9 +53,10 @@ bool hasVolume(const Stock& stock)
 SceneProps::SceneProps(const ViewerScene& scene,
                        const std::vector<double>& levels,
                        vtkRenderer* renderer,
+                       vtkRenderer* marks,
                        const ViewerLook& look)
-    : scene_(scene), levels_(levels), renderer_(renderer),
-      overlay_(renderer, look.background)
+    : scene_(scene), levels_(levels), renderer_(renderer), marks_renderer_(marks),
+      overlay_(marks, look.background)
 {
   const auto extend = [](Eigen::AlignedBox3d& box, const auto& cloud) {
     for (const auto& p : cloud)
@@ -109,10 +110,15 @@ void SceneProps::showSolid(const ViewerLook& look)
       stock_.emplace(scene_.player->stock(), scene_.sections);
       renderer_->AddActor(stock_->actor());
     }
-    stock_->update(*scene_.player);
+    if (stock_time_ != scene_.player->time())
+      stock_->update(*scene_.player);
+    stock_time_ = scene_.player->time();
   }
-  if (stock_)
+  if (stock_) {
     stock_->actor()->SetVisibility(stock);
+    // A finding may be at the foot of a wall, or inside.
+    stock_->actor()->GetProperty()->SetOpacity(look.finding ? 0.45 : 1.0);
+  }
 
   part_.visible = solid == ViewedSolid::Part && scene_.part;
   if (part_.visible && !part_.full)
@@ -122,7 +128,8 @@ void SceneProps::showSolid(const ViewerLook& look)
   deviation_.visible = solid == ViewedSolid::Deviation && scene_.deviation;
   if (deviation_.visible && !deviation_.full)
     deviation_ = dots(scene_.deviation->size(), [&](std::size_t stride) {
-      return deviationPoints(*scene_.deviation, deviation_scale_, stride);
+      return deviationPoints(
+          *scene_.deviation, scene_.map.get(), deviation_scale_, stride);
     });
   for (auto* actor : {part_.full.Get(),
                       part_.coarse.Get(),
@@ -306,7 +313,7 @@ void SceneProps::showFindings(const ViewerLook& look)
     return;
   marked_ = look.finding;
   for (auto& mark : marks_)
-    renderer_->RemoveViewProp(mark);
+    marks_renderer_->RemoveViewProp(mark);
   marks_.clear();
   for (std::size_t i = 0; i < scene_.findings.size(); ++i) {
     const ViewedFinding& finding = scene_.findings[i];
@@ -325,7 +332,7 @@ void SceneProps::showFindings(const ViewerLook& look)
         finding.error ? visual::hex(0xB2182B) : visual::hex(0xE69F00);
     actor->GetProperty()->SetColor(colour.r, colour.g, colour.b);
     actor->GetProperty()->SetAmbient(0.5);
-    renderer_->AddActor(actor);
+    marks_renderer_->AddActor(actor);
     marks_.emplace_back(actor);
   }
 }

@@ -25,6 +25,7 @@ public:
   SceneProps(const ViewerScene& scene,
              const std::vector<double>& levels,
              vtkRenderer* renderer,
+             vtkRenderer* marks,
              const ViewerLook& look);
 
   /// @brief Shows what @p look says. @param room px at the foot of the view that texts
@@ -60,7 +61,7 @@ private:
 
   const ViewerScene& scene_;
   const std::vector<double>& levels_;
-  vtkRenderer* renderer_;
+  vtkRenderer *renderer_, *marks_renderer_;
   Overlay overlay_;
   double diagonal_ = 1.0; // of all that is shown [mm]
   Eigen::AlignedBox3d box_, box_with_paths_;
@@ -72,6 +73,7 @@ private:
   vtkSmartPointer<vtkActor> paths_, coarse_paths_;
   bool moving_ = false, paths_visible_ = false;
   std::map<int, vtkSmartPointer<vtkProp3D>> tools_;
+  std::optional<double> stock_time_; // of the cut that is shown
   std::vector<vtkSmartPointer<vtkProp>> marks_;
   std::optional<std::size_t> sheet_level_, paths_level_, marked_;
   std::optional<PathColouring> paths_colouring_;

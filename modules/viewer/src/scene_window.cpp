@@ -49,9 +49,16 @@ SceneWindow::SceneWindow(const ViewerScene& scene,
   visualizer_->setShowFPS(false);
   const visual::Rgb& page = look_.background;
   visualizer_->setBackgroundColor(page.r, page.g, page.b);
-  for (const auto& viewed : scene_.clouds)
-    addCloud(viewed);
-  props_ = std::make_unique<SceneProps>(scene_, levels_, renderer(), look_);
+  for (std::size_t i = 0; i < scene_.clouds.size(); ++i)
+    addCloud(scene_.clouds[i], i);
+  // What is marked is seen through everything, from where the rest is seen.
+  vtkNew<vtkRenderer> marks;
+  marks->SetLayer(1);
+  marks->InteractiveOff();
+  marks->SetActiveCamera(renderer()->GetActiveCamera());
+  window->SetNumberOfLayers(2);
+  window->AddRenderer(marks);
+  props_ = std::make_unique<SceneProps>(scene_, levels_, renderer(), marks, look_);
   props_->update(look_);
   addAxes();
   props_->aim(look_);
@@ -63,46 +70,57 @@ void SceneWindow::seek(double seconds)
   scene_.player->seek(look_.time);
 }
 
-void SceneWindow::addCloud(const ViewedCloud& viewed)
+void SceneWindow::addCloud(const ViewedCloud& viewed, std::size_t number)
 {
   using namespace pcl::visualization;
-  PointCloudGeometryHandler<pcl::PCLPointCloud2>::Ptr place(
-      new PointCloudGeometryHandlerXYZ<pcl::PCLPointCloud2>(viewed.cloud));
-  const auto add = [&](PointCloudColorHandler<pcl::PCLPointCloud2>* colour) {
-    PointCloudColorHandler<pcl::PCLPointCloud2>::Ptr handler(colour);
-    if (handler->isCapable())
-      visualizer_->addPointCloud(viewed.cloud,
-                                 place,
-                                 handler,
-                                 Eigen::Vector4f::Zero(),
-                                 Eigen::Quaternionf::Identity(),
-                                 viewed.name);
-  };
-  // As pcl_viewer has them: keys 1, 2, 3 ... choose one. What a scanner measured beside
-  // the places is shown first.
-  add(new PointCloudColorHandlerGenericField<pcl::PCLPointCloud2>(viewed.cloud, "z"));
-  int count = 1, first = 0;
-  for (const auto& field : viewed.cloud->fields) {
-    if (field.name == "z" || field.name == "_")
-      continue;
-    const bool rgb = field.name == "rgb" || field.name == "rgba";
-    if (rgb)
-      add(new PointCloudColorHandlerRGBField<pcl::PCLPointCloud2>(viewed.cloud));
-    else if (field.name == "label")
-      add(new PointCloudColorHandlerLabelField<pcl::PCLPointCloud2>(viewed.cloud));
-    else
-      add(new PointCloudColorHandlerGenericField<pcl::PCLPointCloud2>(viewed.cloud,
-                                                                      field.name));
-    if (rgb || (field.name == "intensity" && first == 0))
-      first = count;
+  using Cloud = pcl::PCLPointCloud2;
+  using Colours = PointCloudColorHandler<Cloud>;
+  const std::string id = std::to_string(number) + " " + viewed.name;
+  const PointCloudGeometryHandler<Cloud>::ConstPtr places(
+      new PointCloudGeometryHandlerXYZ<Cloud>(viewed.cloud));
+  int count = 0;
+  const auto add = [&](Colours* handler) {
+    const Colours::ConstPtr colours(handler);
+    if (!colours->isCapable())
+      return false;
+    visualizer_->addPointCloud(viewed.cloud,
+                               places,
+                               colours,
+                               Eigen::Vector4f::Zero(),
+                               Eigen::Quaternionf::Identity(),
+                               id);
     ++count;
+    return true;
+  };
+  // As pcl_viewer has them: key 1 is one colour for each cloud, 2, 3 ... its fields.
+  const visual::Rgb& own = visual::kOperations[number % visual::kOperationCount];
+  add(new PointCloudColorHandlerCustom<Cloud>(
+      viewed.cloud, 255 * own.r, 255 * own.g, 255 * own.b));
+  int heights = 0, measured = 0; // which of them are these
+  for (const auto& field : viewed.cloud->fields) {
+    const bool rgb = field.name == "rgb" || field.name == "rgba";
+    const bool added =
+        rgb ? add(new PointCloudColorHandlerRGBField<Cloud>(viewed.cloud))
+        : field.name == "label"
+            ? add(new PointCloudColorHandlerLabelField<Cloud>(viewed.cloud))
+            : field.name != "_" && add(new PointCloudColorHandlerGenericField<Cloud>(
+                                       viewed.cloud, field.name));
+    if (added && field.name == "z")
+      heights = count - 1;
+    if (added && (rgb || (measured == 0 && field.name == "intensity")))
+      measured = count - 1;
   }
-  visualizer_->updateColorHandlerIndex(viewed.name, first);
-  if (first == 0) // else the fields' own colours are kept
+  // What was measured beside the places is shown first; else the heights, of several
+  // clouds each in its colour.
+  const int first = measured > 0 ? measured : scene_.clouds.size() == 1 ? heights : 0;
+  visualizer_->updateColorHandlerIndex(id, first);
+  if (first == heights)
     visualizer_->setPointCloudRenderingProperties(
-        PCL_VISUALIZER_LUT, PCL_VISUALIZER_LUT_VIRIDIS, viewed.name);
+        PCL_VISUALIZER_LUT, PCL_VISUALIZER_LUT_VIRIDIS, id);
   visualizer_->setPointCloudRenderingProperties(
-      PCL_VISUALIZER_POINT_SIZE, look_.point_size, viewed.name);
+      PCL_VISUALIZER_LUT_RANGE, PCL_VISUALIZER_LUT_RANGE_AUTO, id);
+  visualizer_->setPointCloudRenderingProperties(
+      PCL_VISUALIZER_POINT_SIZE, look_.point_size, id);
 }
 
 void SceneWindow::addAxes()

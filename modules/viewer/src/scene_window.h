@@ -45,7 +45,7 @@ public:
   void seek(double seconds);
 
 private:
-  void addCloud(const ViewedCloud& viewed);
+  void addCloud(const ViewedCloud& viewed, std::size_t number);
   void addAxes();
 
   const ViewerScene& scene_;

@@ -48,9 +48,12 @@ vtkSmartPointer<vtkActor> partPoints(const pcl::PointCloud<pcl::PointXYZ>& part,
                                      const CellCloud* map,
                                      std::size_t stride = 1);
 
-/// @brief The points coloured by their intensity.
+/// @brief The points coloured by their intensity, each at the height of the milled
+/// surface: where they were scanned the higher ones would hide the others. What the map
+/// says is covered by others, if there is a map, is left out.
 vtkSmartPointer<vtkActor>
 deviationPoints(const pcl::PointCloud<pcl::PointXYZI>& deviation,
+                const CellCloud* map,
                 const visual::DeviationScale& scale,
                 std::size_t stride = 1);
 

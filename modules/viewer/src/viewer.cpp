@@ -42,6 +42,8 @@ Viewer::Viewer(ViewerScene scene, const ViewerLook& look)
   if (scene_.player) {
     if (look_.speed <= 0)
       look_.speed = suitableSpeed(scene_.player->duration());
+    if (look_.finding && *look_.finding < scene_.findings.size())
+      look_.time = momentOf(scene_, scene_.findings[*look_.finding], look_.time);
     scene_.player->seek(look_.time);
     look_.time = scene_.player->time();
   }

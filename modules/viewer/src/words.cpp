@@ -34,11 +34,11 @@ double secondsNow()
 
 visual::Rgb scaleColour(float share)
 {
-  constexpr visual::Rgb stops[] = {visual::hex(0x440154),
-                                   visual::hex(0x3B528B),
-                                   visual::hex(0x21918C),
-                                   visual::hex(0x5EC962),
-                                   visual::hex(0xE8D21D)};
+  constexpr visual::Rgb stops[] = {visual::hex(0x1B1044),
+                                   visual::hex(0x5F187F),
+                                   visual::hex(0xA8327D),
+                                   visual::hex(0xE65163),
+                                   visual::hex(0xFB8861)};
   const float s = std::clamp(share, 0.f, 1.f) * 4.f;
   const int i = std::min(static_cast<int>(s), 3);
   return visual::mix(stops[i], stops[i + 1], s - static_cast<float>(i));

@@ -24,8 +24,8 @@ inline visual::Rgb inkOn(const visual::Rgb& background)
 {
   return isDark(background) ? visual::kPage : visual::kInk;
 }
-/// @brief Colour of a figure from 0 to 1 on a page that is white or dark: blue over
-/// green to yellow, ever lighter (after viridis).
+/// @brief Colour of a figure from 0 to 1: purple over red to orange, ever lighter, but
+/// never so light that it is lost on white or on the map (after magma).
 visual::Rgb scaleColour(float share);
 
 } // namespace pointmill::viewer

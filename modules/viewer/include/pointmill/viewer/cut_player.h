@@ -56,6 +56,9 @@ public:
   /// @brief The first move of a line of the program, or of the next that has one; the
   /// last move where there is none.
   std::size_t moveOfLine(std::size_t line) const;
+  /// @brief The moment in a line of the program when the tip is nearest to a place, the
+  /// end of the line where that is not known.
+  double nearestInLine(std::size_t line, const Eigen::Vector3d& place) const;
   /// @brief Which section a move belongs to.
   std::size_t sectionOf(std::size_t move) const;
 
@@ -73,6 +76,9 @@ private:
   struct State {
     StockField stock;
     std::vector<std::uint8_t> cut_by;
+    /// The section that lowered a cell last, if only a little, and how much [mm].
+    std::vector<std::uint8_t> touched_by;
+    std::vector<float> taken;
     std::size_t move = 0;
     double share = 0.0;
   };
@@ -86,6 +92,7 @@ private:
   double shareAt(double seconds) const;
   void goTo(std::size_t target, double share);
   void forwardTo(std::size_t move, double share);
+  void take(std::size_t cell, std::uint8_t section, double depth);
   void cut(const std::vector<Sweep>& sweeps);
 
   std::shared_ptr<const Program> program_;
