@@ -57,8 +57,8 @@ StockSurface::StockSurface(const StockField& field,
   drawBehindLines(mapper);
   actor_->SetMapper(mapper);
   actor_->GetProperty()->SetInterpolationToFlat(); // edges stay edges
-  actor_->GetProperty()->SetAmbient(0.25);
-  actor_->GetProperty()->SetDiffuse(0.75);
+  actor_->GetProperty()->SetAmbient(0.42);
+  actor_->GetProperty()->SetDiffuse(0.65);
 }
 
 bool StockSurface::isGone(int column, int row) const

@@ -36,10 +36,10 @@ inline std::uint8_t toByte(float v)
 // any colour vision tell apart; the yellow is darker than theirs, to be seen on white.
 constexpr Rgb kOperations[] = {hex(0x0072B2),
                                hex(0xE69F00),
-                               hex(0x009E73),
+                               hex(0x56B4E9),
                                hex(0xCC79A7),
                                hex(0xBFA500),
-                               hex(0x56B4E9),
+                               hex(0x009E73),
                                hex(0xD55E00),
                                hex(0x6A3D9A)};
 constexpr int kOperationCount = 8;
