@@ -157,13 +157,12 @@ int Demo::run(int argc, char** argv, const std::function<void()>& body)
       throw ParameterError("name a file for the result, or --show or --png");
     {
       Watch watch;
-      stopOnSignal(watch);
+      const StopOnSignal stop(watch);
       std::optional<ProgressLine> line;
       if (!quiet_)
         line.emplace(watch);
       body();
     }
-    signalsAsBefore();
     show();
   }
   catch (const CLI::ParseError& e) {

@@ -66,7 +66,7 @@ int run(int argc, char** argv, const Watch& watch)
 int main(int argc, char** argv)
 {
   Watch watch;
-  stopOnSignal(watch);
+  const StopOnSignal stop(watch);
   const auto fail = [&](int code, const char* kind, const std::string& message) {
     if (wantsJson(argc, argv))
       return writeError(code, kind, message);

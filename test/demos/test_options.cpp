@@ -15,6 +15,7 @@
 #include <pointmill/verify/program_verifier.h>
 
 #include <algorithm>
+#include <csignal>
 #include <cstdlib>
 
 using namespace demo_test;
@@ -118,4 +119,17 @@ TEST_F(DemoOptions, AViewIsSavedWithoutADisplayAWindowIsRefused)
   bad(2, "no display", "pm_align " POINTMILL_DATA "/dome.pcd out.pcd --show", "other");
   setenv("DISPLAY", ":987", 1); // nobody answers there
   bad(2, "no display", "pm_align " POINTMILL_DATA "/dome.pcd out.pcd --show", "other");
+}
+
+TEST_F(DemoOptions, AnErrorThatNobodyReadsIsNoCrash)
+{
+  for (const std::string program : {"pm_align", "pm_occupancy", "pm_rough"}) {
+    // A pipe that is closed before the program begins.
+    const std::string call = "cd '" + path("") +
+                             "' && { sleep 0.2; '" POINTMILL_BIN "/" + program +
+                             "' no.pcd out.pcd 2>&1; echo $? >code; } | true";
+    ASSERT_EQ(std::system(call.c_str()), 0);
+    const int code = std::atoi(read("code").c_str());
+    EXPECT_TRUE(code == 128 + SIGPIPE || code == 2) << program << " " << code;
+  }
 }
