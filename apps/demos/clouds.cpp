@@ -5,16 +5,41 @@
 #include <pointmill/common/error.h>
 #include <pointmill/io/raw_scan.h>
 
-#include <pcl/common/io.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 using namespace pointmill;
 
+namespace {
+
+bool hasFields(const std::string& path, const std::vector<std::string>& names)
+{
+  const auto fields = fieldsOf(path);
+  return std::all_of(names.begin(), names.end(), [&](const std::string& name) {
+    return std::find(fields.begin(), fields.end(), name) != fields.end();
+  });
+}
+
+} // namespace
+
+void checkIsPart(const std::string& path)
+{
+  if (isMap(path))
+    throw DataError(path + ": is an occupancy map, not a part; pm_rough takes it");
+  if (hasFields(path, {"feed", "level", "motion"}))
+    throw DataError(path + ": holds CL points, not a part; pm_buffer_points and "
+                           "pm_gcode take them");
+}
+
+bool isMap(const std::string& path)
+{
+  return hasFields(path, {"label", "count"});
+}
+
 pcl::PointCloud<pcl::PointXYZ>::Ptr readPart(const std::string& path)
 {
+  checkIsPart(path);
   pcl::PointCloud<pcl::PointXYZ>::Ptr cloud(new pcl::PointCloud<pcl::PointXYZ>);
   const RawScan raw = readScan(path);
   cloud->reserve(raw.points.size());
@@ -28,14 +53,6 @@ pcl::PointCloud<pcl::PointXYZ>::Ptr readPart(const std::string& path)
 std::shared_ptr<const PointIndex> indexOf(const pcl::PointCloud<pcl::PointXYZ>& part)
 {
   return std::make_shared<PointIndex>(std::vector<PointSource>{pointSource(part)});
-}
-
-bool hasFields(const std::string& path, const std::vector<std::string>& fields)
-{
-  const auto cloud = readScanFields(path);
-  return std::all_of(fields.begin(), fields.end(), [&](const std::string& name) {
-    return pcl::getFieldIndex(*cloud, name) >= 0;
-  });
 }
 
 CellCloud withoutNan(const CellCloud& map)

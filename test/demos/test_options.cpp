@@ -133,3 +133,19 @@ TEST_F(DemoOptions, AnErrorThatNobodyReadsIsNoCrash)
     EXPECT_TRUE(code == 128 + SIGPIPE || code == 2) << program << " " << code;
   }
 }
+
+TEST_F(DemoOptions, WhatIsNoPartIsNotMilled)
+{
+  const std::string dome = " " POINTMILL_DATA "/dome.pcd ";
+  good("pm_occupancy" + dome + "map.pcd --cell-size 1");
+  good("pm_rough map.pcd cl.pcd --step-down 4");
+  for (const std::string program : {"pm_align", "pm_slices", "pm_cl_surface"})
+    bad(2, "is an occupancy map, not a part; pm_rough", program + " map.pcd out.pcd");
+  for (const std::string program :
+       {"pm_align", "pm_slices", "pm_occupancy", "pm_rough", "pm_cl_surface"})
+    bad(2, "holds CL points, not a part", program + " cl.pcd out.pcd");
+  bad(2,
+      "is an occupancy map",
+      "pm_gcode cl.pcd out --part map.pcd --tool-type flat --tool-diameter 10",
+      "out");
+}
