@@ -10,6 +10,7 @@
 #include <pointmill/finish/cl_surface.h>
 #include <pointmill/gcode/post.h>
 #include <pointmill/io/scan.h>
+#include <pointmill/io/write_cloud.h>
 #include <pointmill/rough/offset_roughing.h>
 #include <pointmill/slice/occupancy_map.h>
 #include <pointmill/slice/z_slices.h>
@@ -179,4 +180,30 @@ TEST_F(DemoChain, WithoutAPartAProgramSaysSo)
   good("pm_gcode cl.pcd p.ngc --unverified --stock-top 0" + tool);
   EXPECT_NE(read("p.ngc").find("NOT VERIFIED AGAINST A PART"), std::string::npos);
   bad(1, "--tool-type", "pm_gcode cl.pcd out --part part.pcd", "out");
+}
+
+TEST_F(DemoChain, TheBlockIsNotLowerThanThePart)
+{
+  good("pm_align " POINTMILL_DATA "/dome.pcd part.pcd");
+  good("pm_rough part.pcd cl.pcd --step-down 3 --cell-size 0.6");
+  const std::string with = " --part part.pcd --tool-type flat --tool-diameter 10";
+  bad(1,
+      "the part reaches up to Z0",
+      "pm_gcode cl.pcd out --stock-top -3" + with,
+      "out");
+  good("pm_gcode cl.pcd p.ngc --stock-top 0" + with);
+  good("pm_gcode cl.pcd p.ngc --stock-top 1" + with);
+}
+
+TEST_F(DemoChain, APassOfSixPointsIsAProgram)
+{
+  CLCloud pass;
+  for (int i = 0; i < 6; ++i) {
+    pass.push_back(PointCL(10 * i, 0, -1));
+    pass.back().feed = 600;
+  }
+  writeCloud(path("cl.pcd"), pass);
+  good("pm_gcode cl.pcd p.ngc --unverified --stock-top 0 --tool-type flat "
+       "--tool-diameter 10");
+  EXPECT_NE(read("p.ngc").find("X50."), std::string::npos);
 }
