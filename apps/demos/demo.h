@@ -35,7 +35,10 @@ public:
   void input(const std::string& name, std::string& path, const std::string& help);
 
   /// @brief Where the result goes; may be left out where it is shown.
-  void output(const std::string& name, const std::string& help);
+  /// @param ending of its name: what kind of file it is; empty: any
+  void output(const std::string& name,
+              const std::string& help,
+              const std::string& ending = ".pcd");
 
   /// @brief An option that calls @p set with what one of a few names means; the first
   /// is what the stage does without it.

@@ -23,7 +23,7 @@ int main(int argc, char** argv)
   CheckedProgram program;
   std::string path, part, post = "linuxcnc";
   demo.input("CL", path, "PCD of PointCL, as pm_rough and pm_buffer_points write it");
-  demo.output("PROGRAM", "text for the control");
+  demo.output("PROGRAM", "text for the control", "");
   CLI::App& app = demo.options();
   auto* given =
       app.add_option("--part", part, "the cloud that the CL points are made of");

@@ -149,3 +149,11 @@ TEST_F(DemoOptions, WhatIsNoPartIsNotMilled)
       "pm_gcode cl.pcd out --part map.pcd --tool-type flat --tool-diameter 10",
       "out");
 }
+
+TEST_F(DemoOptions, FilesAreNamedAsWhatTheyAre)
+{
+  const std::string dome = " " POINTMILL_DATA "/dome.pcd ";
+  bad(1, "it is written as .pcd", "pm_occupancy" + dome + "out.ply", "out.ply");
+  bad(1, "it is written as .pcd", "pm_align" + dome + "out", "out");
+  bad(1, "it is written as .png", "pm_occupancy" + dome + "--png out.jpg", "out.jpg");
+}
