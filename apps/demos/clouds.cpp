@@ -13,6 +13,8 @@ using namespace pointmill;
 
 namespace {
 
+constexpr std::size_t kMostPoints = 20'000'000; // 640 MB of PointXYZL
+
 bool hasFields(const std::string& path, const std::vector<std::string>& names)
 {
   const auto fields = fieldsOf(path);
@@ -53,6 +55,28 @@ pcl::PointCloud<pcl::PointXYZ>::Ptr readPart(const std::string& path)
 std::shared_ptr<const PointIndex> indexOf(const pcl::PointCloud<pcl::PointXYZ>& part)
 {
   return std::make_shared<PointIndex>(std::vector<PointSource>{pointSource(part)});
+}
+
+std::vector<double> levelsOf(const pcl::PointCloud<pcl::PointXYZ>& part, ZSlices slices)
+{
+  std::vector<float> heights;
+  heights.reserve(part.size());
+  for (const auto& p : part)
+    heights.push_back(p.z);
+  std::sort(heights.begin(), heights.end());
+  slices.setZLimits(heights.front(), heights.back());
+  const std::vector<double> levels = slices.levels();
+  std::size_t points = 0;
+  for (const double z : levels)
+    points += static_cast<std::size_t>(
+        heights.end() - std::upper_bound(heights.begin(), heights.end(), z));
+  if (points > kMostPoints)
+    throw ParameterError("a pitch of " + std::to_string(slices.getPitch()) +
+                         " mm gives " + std::to_string(levels.size()) +
+                         " levels with " + std::to_string(points) +
+                         " points above them, over " + std::to_string(kMostPoints) +
+                         "; choose a larger --pitch, or one --level");
+  return levels;
 }
 
 CellCloud withoutNan(const CellCloud& map)

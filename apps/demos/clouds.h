@@ -4,6 +4,7 @@
 
 #include <pointmill/common/point_types.h>
 #include <pointmill/io/read_fields.h>
+#include <pointmill/slice/z_slices.h>
 #include <pointmill/surface/point_index.h>
 
 #include <pcl/point_cloud.h>
@@ -25,6 +26,12 @@ pcl::PointCloud<pcl::PointXYZ>::Ptr readPart(const std::string& path);
 /// @brief The index of all of its points.
 std::shared_ptr<const pointmill::PointIndex>
 indexOf(const pcl::PointCloud<pcl::PointXYZ>& part);
+
+/// @brief The levels of a part, from its top to its bottom.
+/// @throws ParameterError where there are more points above them all together than a
+/// cloud should hold
+std::vector<double> levelsOf(const pcl::PointCloud<pcl::PointXYZ>& part,
+                             pointmill::ZSlices slices);
 
 /// @brief Whether it is an occupancy map, as pm_occupancy writes it.
 bool isMap(const std::string& path);

@@ -204,11 +204,12 @@ void Demo::print(const std::string& figure, const std::string& value) const
     std::cout << "  " << figure << ' ' << value << '\n';
 }
 
-void Demo::printRun(std::size_t in, std::size_t out, double seconds) const
+void Demo::printRun(std::size_t in, std::size_t out, Clock::time_point start) const
 {
+  const std::chrono::duration<double> took = Clock::now() - start;
   if (!quiet_)
     std::cout << name_ << ": " << in << " points in, " << out << " points out, "
-              << text(std::round(1000 * seconds) / 1000) << " s\n";
+              << text(std::round(1000 * took.count()) / 1000) << " s\n";
 }
 
 void Demo::printReport(const Report& report) const

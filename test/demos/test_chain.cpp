@@ -69,7 +69,10 @@ TEST_F(DemoChain, RoughingByFilesIsWhatTheClassesGive)
   ASSERT_GT(passes->size(), 100u);
   expectSame(*readPoints<PointCL>(path("cl.pcd"), ""), *passes);
 
-  good("pm_gcode cl.pcd part.ngc --part part.pcd --tool-type flat --tool-diameter 10");
+  const std::string gcode =
+      "pm_gcode cl.pcd part.ngc --part part.pcd --tool-type flat --tool-diameter 10";
+  const std::string in = std::to_string(passes->size()) + " points in, ";
+  EXPECT_NE(run(gcode).text.find(in), std::string::npos);
   EXPECT_NE(read("part.ngc").find("verified against"), std::string::npos);
   EXPECT_NE(read("part.ngc").find("T1 M6"), std::string::npos);
 }
@@ -146,7 +149,14 @@ TEST_F(DemoChain, SlicesHoldWhatStandsAboveThem)
     sum += above(z);
   const auto all = readPoints<pcl::PointXYZL>(path("all.pcd"), "");
   EXPECT_EQ(static_cast<long>(all->size()), sum);
-  EXPECT_EQ(all->back().label + 1, slices.levels().size());
+  EXPECT_EQ(all->front().label, 1u);
+  EXPECT_EQ(all->back().label, slices.levels().size());
+  const Outcome printed = run("pm_slices part.pcd all.pcd --pitch 2");
+  EXPECT_NE(printed.text.find(std::to_string(part->size()) + " points in, " +
+                              std::to_string(sum) + " points out"),
+            std::string::npos)
+      << printed.text;
+  EXPECT_NE(printed.text.find("level_1 Z-2."), std::string::npos) << printed.text;
 }
 
 TEST_F(DemoChain, PicturesOfMapsNeedNoDisplay)

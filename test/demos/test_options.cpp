@@ -12,6 +12,7 @@
 #include <pointmill/rough/waterline_roughing.h>
 #include <pointmill/slice/occupancy_map.h>
 #include <pointmill/slice/point_recovery.h>
+#include <pointmill/slice/z_slices.h>
 #include <pointmill/verify/program_verifier.h>
 
 #include <algorithm>
@@ -47,6 +48,7 @@ TEST_F(DemoOptions, EveryParameterOfAStageIsOne)
 {
   expectOptions("pm_align", ZAlignment<P>());
   expectOptions("pm_slices", PointRecovery<P>());
+  expectOptions("pm_slices", ZSlices());
   expectOptions("pm_occupancy", OccupancyMap<P>());
   expectOptions("pm_rough", OffsetRoughing());
   expectOptions("pm_rough", HighSpeedRoughing());
@@ -156,4 +158,15 @@ TEST_F(DemoOptions, FilesAreNamedAsWhatTheyAre)
   bad(1, "it is written as .pcd", "pm_occupancy" + dome + "out.ply", "out.ply");
   bad(1, "it is written as .pcd", "pm_align" + dome + "out", "out");
   bad(1, "it is written as .png", "pm_occupancy" + dome + "--png out.jpg", "out.jpg");
+}
+
+TEST_F(DemoOptions, PitchesThatAreNoneAreRefused)
+{
+  const std::string slices = "pm_slices " POINTMILL_DATA "/dome.pcd out.pcd ";
+  bad(1, "0.001 .. 1000 mm", slices + "--pitch -1");
+  bad(1, "--diameter", slices + "--diameter -1");
+  bad(1, "--level", slices + "--pitch 1 --level -3");
+  bad(1, "--level", slices + "--diameter 8 --level -3");
+  bad(1, "--pitch", slices + "--diameter 8 --pitch 1");
+  bad(1, "points above them", slices + "--pitch 0.001");
 }
