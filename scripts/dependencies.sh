@@ -13,7 +13,7 @@ set -euo pipefail
 packages_of() {
   case $1 in
     build) echo g++ cmake ninja-build ccache libpcl-dev libcli11-dev nlohmann-json3-dev \
-                libyaml-cpp-dev libjs-three ;;
+                libyaml-cpp-dev libjs-three libegl-dev libegl1 libx11-dev libgl1-mesa-dri ;;
     # LinuxCNC's interpreter reads programs, Chromium shows pages, xdotool uses the viewer.
     test)  echo libgtest-dev linuxcnc-uspace xvfb xdotool chromium ;;
     check) echo clang-format-14 ;;

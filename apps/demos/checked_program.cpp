@@ -17,6 +17,7 @@ namespace {
 
 constexpr double kClearance = 5.0;  ///< over the stock [mm]
 constexpr double kMostCells = 2000; ///< of the stock, along a side
+constexpr double kOnTop = 1e-3;     ///< the part's top may be written so roughly [mm]
 /// A thicker layer at once is told of, in diameters of the tool's end.
 constexpr double kDeep = 1.5;
 
@@ -61,8 +62,13 @@ Stock CheckedProgram::stockOver(const CLCloud& passes) const
       throw ParameterError(
           "without a part the block's height is not known: --stock-top");
   }
-  if (!std::isnan(stock_top))
+  if (!std::isnan(stock_top)) {
+    if (part && stock_top < part->max().z() - kOnTop)
+      throw ParameterError("--stock-top is Z" + number(stock_top) +
+                           ", the part reaches up to Z" + number(part->max().z()) +
+                           ": it does not fit into the block");
     stock.max.z() = stock_top;
+  }
   stock.min.z() = std::min(stock.min.z(), lowestOf(passes) - 1.0);
   return stock;
 }

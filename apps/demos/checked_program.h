@@ -21,7 +21,8 @@ struct CheckedProgram {
   std::shared_ptr<const pointmill::PointIndex> part; ///< null: not verified against one
   bool unverified = false;                           ///< whether that is wanted
   double stock_top =
-      std::numeric_limits<double>::quiet_NaN(); ///< NaN: that of the part
+      std::numeric_limits<double>::quiet_NaN(); ///< NaN: that of the part, else not
+                                                ///< below it
   pointmill::LinkPasses link;
   pointmill::GCodeWriter writer;
   pointmill::ProgramVerifier verifier;

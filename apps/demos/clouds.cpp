@@ -5,16 +5,43 @@
 #include <pointmill/common/error.h>
 #include <pointmill/io/raw_scan.h>
 
-#include <pcl/common/io.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 using namespace pointmill;
 
+namespace {
+
+constexpr std::size_t kMostPoints = 20'000'000; // 640 MB of PointXYZL
+
+bool hasFields(const std::string& path, const std::vector<std::string>& names)
+{
+  const auto fields = fieldsOf(path);
+  return std::all_of(names.begin(), names.end(), [&](const std::string& name) {
+    return std::find(fields.begin(), fields.end(), name) != fields.end();
+  });
+}
+
+} // namespace
+
+void checkIsPart(const std::string& path)
+{
+  if (isMap(path))
+    throw DataError(path + ": is an occupancy map, not a part; pm_rough takes it");
+  if (hasFields(path, {"feed", "level", "motion"}))
+    throw DataError(path + ": holds CL points, not a part; pm_buffer_points and "
+                           "pm_gcode take them");
+}
+
+bool isMap(const std::string& path)
+{
+  return hasFields(path, {"label", "count"});
+}
+
 pcl::PointCloud<pcl::PointXYZ>::Ptr readPart(const std::string& path)
 {
+  checkIsPart(path);
   pcl::PointCloud<pcl::PointXYZ>::Ptr cloud(new pcl::PointCloud<pcl::PointXYZ>);
   const RawScan raw = readScan(path);
   cloud->reserve(raw.points.size());
@@ -30,12 +57,26 @@ std::shared_ptr<const PointIndex> indexOf(const pcl::PointCloud<pcl::PointXYZ>& 
   return std::make_shared<PointIndex>(std::vector<PointSource>{pointSource(part)});
 }
 
-bool hasFields(const std::string& path, const std::vector<std::string>& fields)
+std::vector<double> levelsOf(const pcl::PointCloud<pcl::PointXYZ>& part, ZSlices slices)
 {
-  const auto cloud = readScanFields(path);
-  return std::all_of(fields.begin(), fields.end(), [&](const std::string& name) {
-    return pcl::getFieldIndex(*cloud, name) >= 0;
-  });
+  std::vector<float> heights;
+  heights.reserve(part.size());
+  for (const auto& p : part)
+    heights.push_back(p.z);
+  std::sort(heights.begin(), heights.end());
+  slices.setZLimits(heights.front(), heights.back());
+  const std::vector<double> levels = slices.levels();
+  std::size_t points = 0;
+  for (const double z : levels)
+    points += static_cast<std::size_t>(
+        heights.end() - std::upper_bound(heights.begin(), heights.end(), z));
+  if (points > kMostPoints)
+    throw ParameterError("a pitch of " + std::to_string(slices.getPitch()) +
+                         " mm gives " + std::to_string(levels.size()) +
+                         " levels with " + std::to_string(points) +
+                         " points above them, over " + std::to_string(kMostPoints) +
+                         "; choose a larger --pitch, or one --level");
+  return levels;
 }
 
 CellCloud withoutNan(const CellCloud& map)

@@ -33,6 +33,15 @@ std::string optionOf(std::string parameter)
   return "--" + parameter;
 }
 
+/// No file is named as another kind than it is.
+std::function<std::string(const std::string&)> endsIn(const std::string& ending)
+{
+  return [ending](const std::string& file) {
+    const std::string is = std::filesystem::path(file).extension().string();
+    return is == ending ? std::string() : file + ": it is written as " + ending;
+  };
+}
+
 } // namespace
 
 Demo::Demo(const std::string& name, const std::string& what, const std::string& example)
@@ -45,6 +54,7 @@ Demo::Demo(const std::string& name, const std::string& what, const std::string& 
   app_.add_flag("--show", window_, "in a window with pcl_viewer's keys")->group(group);
   app_.add_option("--png", png_, "save a picture of the result")
       ->type_name("FILE")
+      ->check(endsIn(".png"))
       ->group(group);
   app_.add_option("--ps", point_size_, "size of the points, also -ps")
       ->type_name("PX")
@@ -69,9 +79,14 @@ void Demo::input(const std::string& name, std::string& path, const std::string& 
   app_.add_option(name, path, help)->required();
 }
 
-void Demo::output(const std::string& name, const std::string& help)
+void Demo::output(const std::string& name,
+                  const std::string& help,
+                  const std::string& ending)
 {
-  app_.add_option(name, output_, help + "; may be left out with --show or --png");
+  auto* option =
+      app_.add_option(name, output_, help + "; may be left out with --show or --png");
+  if (!ending.empty())
+    option->check(endsIn(ending));
 }
 
 void Demo::declare(const std::string& stage,
@@ -157,13 +172,12 @@ int Demo::run(int argc, char** argv, const std::function<void()>& body)
       throw ParameterError("name a file for the result, or --show or --png");
     {
       Watch watch;
-      stopOnSignal(watch);
+      const StopOnSignal stop(watch);
       std::optional<ProgressLine> line;
       if (!quiet_)
         line.emplace(watch);
       body();
     }
-    signalsAsBefore();
     show();
   }
   catch (const CLI::ParseError& e) {
@@ -190,11 +204,12 @@ void Demo::print(const std::string& figure, const std::string& value) const
     std::cout << "  " << figure << ' ' << value << '\n';
 }
 
-void Demo::printRun(std::size_t in, std::size_t out, double seconds) const
+void Demo::printRun(std::size_t in, std::size_t out, Clock::time_point start) const
 {
+  const std::chrono::duration<double> took = Clock::now() - start;
   if (!quiet_)
     std::cout << name_ << ": " << in << " points in, " << out << " points out, "
-              << text(std::round(1000 * seconds) / 1000) << " s\n";
+              << text(std::round(1000 * took.count()) / 1000) << " s\n";
 }
 
 void Demo::printReport(const Report& report) const

@@ -35,7 +35,10 @@ public:
   void input(const std::string& name, std::string& path, const std::string& help);
 
   /// @brief Where the result goes; may be left out where it is shown.
-  void output(const std::string& name, const std::string& help);
+  /// @param ending of its name: what kind of file it is; empty: any
+  void output(const std::string& name,
+              const std::string& help,
+              const std::string& ending = ".pcd");
 
   /// @brief An option that calls @p set with what one of a few names means; the first
   /// is what the stage does without it.
@@ -81,6 +84,9 @@ public:
   /// @brief Filters @p in, counts and times it, and prints the figures.
   template <typename StageT, typename CloudPtr>
   auto filter(StageT& stage, const CloudPtr& in) const;
+  using Clock = std::chrono::steady_clock;
+  /// @brief Prints points in and out, and the seconds since @p start.
+  void printRun(std::size_t in, std::size_t out, Clock::time_point start) const;
   void print(const std::string& figure, const std::string& value) const;
 
   /// @brief Saves @p cloud, and shows it, as the options say.
@@ -101,7 +107,6 @@ private:
                bool whole,
                Setter setter);
   std::vector<std::string> arguments(int argc, char** argv) const;
-  void printRun(std::size_t in, std::size_t out, double seconds) const;
   void printReport(const pointmill::Report& report) const;
   template <typename PointT>
   void keep(const pcl::PointCloud<PointT>& cloud);
@@ -152,10 +157,9 @@ auto Demo::filter(StageT& stage, const CloudPtr& in) const
   using Out = pcl::PointCloud<typename StageT::OutputPoint>;
   typename Out::Ptr out(new Out);
   stage.setInputCloud(in);
-  const auto start = std::chrono::steady_clock::now();
+  const auto start = Clock::now();
   stage.filter(*out);
-  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
-  printRun(in->size(), out->size(), took.count());
+  printRun(in->size(), out->size(), start);
   printReport(stage.getReport());
   return out;
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the PointMill authors
+#include "clouds.h"
 #include "demo.h"
 
 #include <pointmill/align/z_alignment.h>
@@ -50,6 +51,7 @@ int main(int argc, char** argv)
       {{"top", DatumZ::Top}, {"bottom", DatumZ::Bottom}},
       "Z0 of the part's box");
   return demo.run(argc, argv, [&] {
+    checkIsPart(scan);
     const Scan prepared = prepareScan(readScan(scan), scale, density, 20'000'000, 1);
     demo.finish(*demo.filter(align, prepared.cloud));
   });

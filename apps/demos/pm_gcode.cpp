@@ -23,10 +23,9 @@ int main(int argc, char** argv)
   CheckedProgram program;
   std::string path, part, post = "linuxcnc";
   demo.input("CL", path, "PCD of PointCL, as pm_rough and pm_buffer_points write it");
-  demo.output("PROGRAM", "text for the control");
+  demo.output("PROGRAM", "text for the control", "");
   CLI::App& app = demo.options();
-  auto* given =
-      app.add_option("--part", part, "the cloud that the CL points are made of");
+  auto* given = app.add_option("--part", part, "cloud that the CL points are of");
   app.add_flag("--unverified", program.unverified, "write it without a part")
       ->excludes(given);
   numberOption(app, "--stock-top", program.stock_top, "MM", "of the block")
@@ -50,7 +49,9 @@ int main(int argc, char** argv)
     if (!part.empty())
       program.part = indexOf(*readPart(part));
     const auto passes = readPoints<PointCL>(path, "pm_rough");
+    const auto start = Demo::Clock::now();
     const CLCloud linked = program.make(*passes);
+    demo.printRun(passes->size(), linked.size(), start);
     for (const auto& [figure, value] : program.figures)
       demo.print(figure, value);
     demo.finish(program.text, linked);

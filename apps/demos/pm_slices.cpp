@@ -6,9 +6,6 @@
 #include "demo.h"
 
 #include <pointmill/slice/point_recovery.h>
-#include <pointmill/slice/z_slices.h>
-
-#include <pcl/common/common.h>
 
 using namespace pointmill;
 
@@ -16,37 +13,44 @@ int main(int argc, char** argv)
 {
   Demo demo("pm_slices",
             "ZSlices and PointRecovery: the points of a part above a level, projected "
-            "onto it; without --level of all levels, whose number is the label",
+            "onto it; without --level of all levels, whose number is the label, 1 at "
+            "the top",
             "part.pcd slices.pcd --pitch 2");
   std::string path;
-  double pitch = 0, diameter = 10;
+  double diameter = 10;
   demo.input("PART", path, "a cloud in its frame, as pm_align writes it");
   demo.output("SLICES", "PCD of PointXYZL");
+  ZSlices slices;
+  demo.parameters(slices, "ZSlices");
   PointRecovery<pcl::PointXYZ> recovery;
   demo.parameters(recovery, "PointRecovery");
-  numberOption(demo.options(), "--pitch", pitch, "MM", "between levels; 0: 0.3 d / 4");
-  numberOption(demo.options(), "--diameter", diameter, "MM", "d, of the cutter");
+  auto* level = demo.options().get_option("--level");
+  auto* pitch = demo.options().get_option("--pitch")->excludes(level);
+  numberOption(demo.options(), "--diameter", diameter, "MM", "d: pitch 0.3 d / 4")
+      ->check(CLI::PositiveNumber)
+      ->excludes(level)
+      ->excludes(pitch);
   return demo.run(argc, argv, [&] {
     const auto part = readPart(path);
-    std::vector<double> levels{recovery.getLevel()};
-    if (!demo.has("--level")) {
-      pcl::PointXYZ low, high;
-      pcl::getMinMax3D(*part, low, high);
-      ZSlices slices;
-      slices.setZLimits(low.z, high.z);
-      slices.setPitch(pitch > 0 ? pitch : ZSlices::pitchForDiameter(diameter));
-      levels = slices.levels();
-    }
+    if (demo.has("--diameter"))
+      slices.setPitchForDiameter(diameter);
+    const std::vector<double> levels = demo.has("--level")
+                                           ? std::vector<double>{recovery.getLevel()}
+                                           : levelsOf(*part, slices);
+    const auto start = Demo::Clock::now();
     pcl::PointCloud<pcl::PointXYZL> all;
-    for (std::size_t k = 0; k < levels.size(); ++k) {
-      recovery.setLevel(levels[k]);
+    std::vector<std::string> found;
+    for (std::uint32_t number = 1; number <= levels.size(); ++number) {
+      recovery.setLevel(levels[number - 1]);
       const auto points = pointmill::run(part, recovery);
       for (const auto& p : *points)
-        all.push_back({p.x, p.y, p.z, static_cast<std::uint32_t>(k)});
-      demo.print("level_" + std::to_string(k + 1),
-                 "Z" + std::to_string(levels[k]) + ", " +
-                     std::to_string(points->size()) + " points");
+        all.push_back({p.x, p.y, p.z, number});
+      found.push_back("Z" + std::to_string(recovery.getLevel()) + ", " +
+                      std::to_string(points->size()) + " points");
     }
+    demo.printRun(part->size(), all.size(), start);
+    for (std::size_t i = 0; i < found.size(); ++i)
+      demo.print("level_" + std::to_string(i + 1), found[i]);
     demo.finish(all);
   });
 }

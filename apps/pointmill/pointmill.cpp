@@ -28,6 +28,17 @@ bool wantsJson(int argc, char** argv)
       argv, argv + argc, [](std::string_view word) { return word == "--json"; });
 }
 
+/// What is missing is told before what is unknown, though a misspelt option may well be
+/// what is missing.
+std::string whatIsWrong(const CLI::ParseError& e, const CLI::App& app)
+{
+  if (e.get_exit_code() == static_cast<int>(CLI::ExitCodes::RequiredError))
+    for (const std::string& word : app.remaining(true))
+      if (word.size() > 1 && word[0] == '-')
+        return "unknown option " + word;
+  return e.what();
+}
+
 int run(int argc, char** argv, const Watch& watch)
 {
   CLI::App app{
@@ -48,7 +59,7 @@ int run(int argc, char** argv, const Watch& watch)
     if (e.get_exit_code() == 0) // --help, --version
       return app.exit(e);
     const auto used = app.get_subcommands();
-    throw ParameterError(std::string(e.what()) + " (pointmill " +
+    throw ParameterError(whatIsWrong(e, app) + " (pointmill " +
                          (used.empty() ? "" : used.front()->get_name() + " ") +
                          "--help)");
   }
@@ -66,7 +77,7 @@ int run(int argc, char** argv, const Watch& watch)
 int main(int argc, char** argv)
 {
   Watch watch;
-  stopOnSignal(watch);
+  const StopOnSignal stop(watch);
   const auto fail = [&](int code, const char* kind, const std::string& message) {
     if (wantsJson(argc, argv))
       return writeError(code, kind, message);

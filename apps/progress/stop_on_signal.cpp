@@ -34,27 +34,23 @@ void onSignal(int signal)
 
 } // namespace
 
-void stopOnSignal(Watch& stopped)
+StopOnSignal::StopOnSignal(Watch& stopped) : watch_before_(watch.exchange(&stopped))
 {
-  watch = &stopped;
   struct sigaction action {};
   action.sa_handler = onSignal;
   action.sa_flags = SA_RESTART;
-  for (const int signal : {SIGINT, SIGTERM, SIGPIPE})
-    sigaction(signal, &action, nullptr);
-  struct sigaction before {};
-  if (sigaction(SIGHUP, nullptr, &before) == 0 && before.sa_handler != SIG_IGN)
-    sigaction(SIGHUP, &action, nullptr); // nohup stays as it is
+  for (std::size_t i = 0; i < kSignals.size(); ++i) {
+    sigaction(kSignals[i], nullptr, &before_[i]);
+    if (kSignals[i] != SIGHUP || before_[i].sa_handler != SIG_IGN) // nohup stays
+      sigaction(kSignals[i], &action, nullptr);
+  }
 }
 
-void signalsAsBefore()
+StopOnSignal::~StopOnSignal()
 {
-  for (const int signal : {SIGINT, SIGTERM, SIGPIPE, SIGHUP}) {
-    struct sigaction now {};
-    if (sigaction(signal, nullptr, &now) == 0 && now.sa_handler == onSignal)
-      std::signal(signal, SIG_DFL);
-  }
-  watch = nullptr;
+  for (std::size_t i = 0; i < kSignals.size(); ++i)
+    sigaction(kSignals[i], &before_[i], nullptr);
+  watch = watch_before_;
 }
 
 int interruptedExitCode()

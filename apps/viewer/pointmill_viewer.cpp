@@ -70,12 +70,11 @@ void run(const ViewerOptions& options)
   std::unique_ptr<Viewer> viewer;
   {
     Watch watch;
-    stopOnSignal(watch);
+    const StopOnSignal stop(watch);
     std::optional<ProgressLine> line;
     if (!options.quiet)
       line.emplace(watch);
     viewer = viewerFor(options);
-    signalsAsBefore();
   }
   if (options.screenshot.empty())
     viewer->show(options.width, options.height, options.play);

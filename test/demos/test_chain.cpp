@@ -10,6 +10,7 @@
 #include <pointmill/finish/cl_surface.h>
 #include <pointmill/gcode/post.h>
 #include <pointmill/io/scan.h>
+#include <pointmill/io/write_cloud.h>
 #include <pointmill/rough/offset_roughing.h>
 #include <pointmill/slice/occupancy_map.h>
 #include <pointmill/slice/z_slices.h>
@@ -68,7 +69,10 @@ TEST_F(DemoChain, RoughingByFilesIsWhatTheClassesGive)
   ASSERT_GT(passes->size(), 100u);
   expectSame(*readPoints<PointCL>(path("cl.pcd"), ""), *passes);
 
-  good("pm_gcode cl.pcd part.ngc --part part.pcd --tool-type flat --tool-diameter 10");
+  const std::string gcode =
+      "pm_gcode cl.pcd part.ngc --part part.pcd --tool-type flat --tool-diameter 10";
+  const std::string in = std::to_string(passes->size()) + " points in, ";
+  EXPECT_NE(run(gcode).text.find(in), std::string::npos);
   EXPECT_NE(read("part.ngc").find("verified against"), std::string::npos);
   EXPECT_NE(read("part.ngc").find("T1 M6"), std::string::npos);
 }
@@ -145,7 +149,14 @@ TEST_F(DemoChain, SlicesHoldWhatStandsAboveThem)
     sum += above(z);
   const auto all = readPoints<pcl::PointXYZL>(path("all.pcd"), "");
   EXPECT_EQ(static_cast<long>(all->size()), sum);
-  EXPECT_EQ(all->back().label + 1, slices.levels().size());
+  EXPECT_EQ(all->front().label, 1u);
+  EXPECT_EQ(all->back().label, slices.levels().size());
+  const Outcome printed = run("pm_slices part.pcd all.pcd --pitch 2");
+  EXPECT_NE(printed.text.find(std::to_string(part->size()) + " points in, " +
+                              std::to_string(sum) + " points out"),
+            std::string::npos)
+      << printed.text;
+  EXPECT_NE(printed.text.find("level_1 Z-2."), std::string::npos) << printed.text;
 }
 
 TEST_F(DemoChain, PicturesOfMapsNeedNoDisplay)
@@ -179,4 +190,30 @@ TEST_F(DemoChain, WithoutAPartAProgramSaysSo)
   good("pm_gcode cl.pcd p.ngc --unverified --stock-top 0" + tool);
   EXPECT_NE(read("p.ngc").find("NOT VERIFIED AGAINST A PART"), std::string::npos);
   bad(1, "--tool-type", "pm_gcode cl.pcd out --part part.pcd", "out");
+}
+
+TEST_F(DemoChain, TheBlockIsNotLowerThanThePart)
+{
+  good("pm_align " POINTMILL_DATA "/dome.pcd part.pcd");
+  good("pm_rough part.pcd cl.pcd --step-down 3 --cell-size 0.6");
+  const std::string with = " --part part.pcd --tool-type flat --tool-diameter 10";
+  bad(1,
+      "the part reaches up to Z0",
+      "pm_gcode cl.pcd out --stock-top -3" + with,
+      "out");
+  good("pm_gcode cl.pcd p.ngc --stock-top 0" + with);
+  good("pm_gcode cl.pcd p.ngc --stock-top 1" + with);
+}
+
+TEST_F(DemoChain, APassOfSixPointsIsAProgram)
+{
+  CLCloud pass;
+  for (int i = 0; i < 6; ++i) {
+    pass.push_back(PointCL(10 * i, 0, -1));
+    pass.back().feed = 600;
+  }
+  writeCloud(path("cl.pcd"), pass);
+  good("pm_gcode cl.pcd p.ngc --unverified --stock-top 0 --tool-type flat "
+       "--tool-diameter 10");
+  EXPECT_NE(read("p.ngc").find("X50."), std::string::npos);
 }

@@ -12,9 +12,11 @@
 #include <pointmill/rough/waterline_roughing.h>
 #include <pointmill/slice/occupancy_map.h>
 #include <pointmill/slice/point_recovery.h>
+#include <pointmill/slice/z_slices.h>
 #include <pointmill/verify/program_verifier.h>
 
 #include <algorithm>
+#include <csignal>
 #include <cstdlib>
 
 using namespace demo_test;
@@ -46,6 +48,7 @@ TEST_F(DemoOptions, EveryParameterOfAStageIsOne)
 {
   expectOptions("pm_align", ZAlignment<P>());
   expectOptions("pm_slices", PointRecovery<P>());
+  expectOptions("pm_slices", ZSlices());
   expectOptions("pm_occupancy", OccupancyMap<P>());
   expectOptions("pm_rough", OffsetRoughing());
   expectOptions("pm_rough", HighSpeedRoughing());
@@ -118,4 +121,52 @@ TEST_F(DemoOptions, AViewIsSavedWithoutADisplayAWindowIsRefused)
   bad(2, "no display", "pm_align " POINTMILL_DATA "/dome.pcd out.pcd --show", "other");
   setenv("DISPLAY", ":987", 1); // nobody answers there
   bad(2, "no display", "pm_align " POINTMILL_DATA "/dome.pcd out.pcd --show", "other");
+}
+
+TEST_F(DemoOptions, AnErrorThatNobodyReadsIsNoCrash)
+{
+  for (const std::string program : {"pm_align", "pm_occupancy", "pm_rough"}) {
+    // A pipe that is closed before the program begins.
+    const std::string call = "cd '" + path("") +
+                             "' && { sleep 0.2; '" POINTMILL_BIN "/" + program +
+                             "' no.pcd out.pcd 2>&1; echo $? >code; } | true";
+    ASSERT_EQ(std::system(call.c_str()), 0);
+    const int code = std::atoi(read("code").c_str());
+    EXPECT_TRUE(code == 128 + SIGPIPE || code == 2) << program << " " << code;
+  }
+}
+
+TEST_F(DemoOptions, WhatIsNoPartIsNotMilled)
+{
+  const std::string dome = " " POINTMILL_DATA "/dome.pcd ";
+  good("pm_occupancy" + dome + "map.pcd --cell-size 1");
+  good("pm_rough map.pcd cl.pcd --step-down 4");
+  for (const std::string program : {"pm_align", "pm_slices", "pm_cl_surface"})
+    bad(2, "is an occupancy map, not a part; pm_rough", program + " map.pcd out.pcd");
+  for (const std::string program :
+       {"pm_align", "pm_slices", "pm_occupancy", "pm_rough", "pm_cl_surface"})
+    bad(2, "holds CL points, not a part", program + " cl.pcd out.pcd");
+  bad(2,
+      "is an occupancy map",
+      "pm_gcode cl.pcd out --part map.pcd --tool-type flat --tool-diameter 10",
+      "out");
+}
+
+TEST_F(DemoOptions, FilesAreNamedAsWhatTheyAre)
+{
+  const std::string dome = " " POINTMILL_DATA "/dome.pcd ";
+  bad(1, "it is written as .pcd", "pm_occupancy" + dome + "out.ply", "out.ply");
+  bad(1, "it is written as .pcd", "pm_align" + dome + "out", "out");
+  bad(1, "it is written as .png", "pm_occupancy" + dome + "--png out.jpg", "out.jpg");
+}
+
+TEST_F(DemoOptions, PitchesThatAreNoneAreRefused)
+{
+  const std::string slices = "pm_slices " POINTMILL_DATA "/dome.pcd out.pcd ";
+  bad(1, "0.001 .. 1000 mm", slices + "--pitch -1");
+  bad(1, "--diameter", slices + "--diameter -1");
+  bad(1, "--level", slices + "--pitch 1 --level -3");
+  bad(1, "--level", slices + "--diameter 8 --level -3");
+  bad(1, "--pitch", slices + "--diameter 8 --pitch 1");
+  bad(1, "points above them", slices + "--pitch 0.001");
 }

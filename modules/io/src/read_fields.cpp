@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the PointMill authors
+#include "readers.h"
+#include "text.h"
+
 #include <pointmill/common/error.h>
 #include <pointmill/io/raw_scan.h>
 #include <pointmill/io/read_fields.h>
@@ -11,6 +14,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <sstream>
 
 namespace pointmill {
 
@@ -33,10 +40,21 @@ pcl::PointCloud<pcl::PointXYZ> placesOf(const RawScan& raw)
   pcl::PointCloud<pcl::PointXYZ> cloud;
   cloud.reserve(raw.points.size());
   for (const auto& p : raw.points) {
+    if (!p.allFinite())
+      continue;
     const Eigen::Vector3f f = p.cast<float>();
     cloud.push_back({f.x(), f.y(), f.z()});
   }
   return cloud;
+}
+
+/// Whether both stand for one number: what is parsed as float and what is rounded to it
+/// may differ in the last bits.
+bool isSame(float a, float b)
+{
+  constexpr float ulps = 4 * std::numeric_limits<float>::epsilon();
+  return std::abs(a - b) <=
+         std::max(ulps * std::abs(a), std::numeric_limits<float>::min());
 }
 
 /// Whether the finite points of @p read are those of @p truth, one by one.
@@ -49,20 +67,42 @@ bool agrees(const pcl::PCLPointCloud2& read,
   for (const auto& p : places) {
     if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z))
       continue;
-    if (at == truth.end() || p.x != at->x || p.y != at->y || p.z != at->z)
+    if (at == truth.end() || !isSame(p.x, at->x) || !isSame(p.y, at->y) ||
+        !isSame(p.z, at->z))
       return false;
     ++at;
   }
   return at == truth.end();
 }
 
+bool isPcd(const std::string& path)
+{
+  return detail::lower(std::filesystem::path(path).extension().string()) == ".pcd";
+}
+
 } // namespace
+
+std::vector<std::string> fieldsOf(const std::string& path)
+{
+  std::vector<std::string> fields;
+  std::ifstream in(isPcd(path) ? path : std::string());
+  constexpr int most = 100; // lines of a header; a comment may be long
+  std::string line, word;
+  for (int i = 0; i < most && fields.empty() && std::getline(in, line); ++i) {
+    std::istringstream words(line);
+    if (!(words >> word) || (word != "FIELDS" && word != "COLUMNS"))
+      continue;
+    while (words >> word)
+      fields.push_back(word);
+  }
+  return fields;
+}
 
 pcl::PCLPointCloud2::Ptr readFields(const std::string& path,
                                     const std::vector<std::string>& needed,
                                     const std::string& maker)
 {
-  readScan(path); // PCL's reader trusts any header
+  detail::checkPcd(detail::Source(path));
   const Quiet quiet;
   pcl::PCLPointCloud2::Ptr cloud(new pcl::PCLPointCloud2);
   if (pcl::io::loadPCDFile(path, *cloud) != 0)
@@ -76,8 +116,11 @@ pcl::PCLPointCloud2::Ptr readFields(const std::string& path,
 
 pcl::PCLPointCloud2::Ptr readScanFields(const std::string& path)
 {
-  const RawScan raw = readScan(path);
+  const RawScan raw =
+      isPcd(path) ? detail::readPcd(detail::Source(path)) : readScan(path);
   const pcl::PointCloud<pcl::PointXYZ> places = placesOf(raw);
+  if (places.empty())
+    throw DataError(path + ": has no finite point");
   const Quiet quiet;
   pcl::PCLPointCloud2::Ptr cloud(new pcl::PCLPointCloud2);
   const bool read = raw.format == "PCD"   ? pcl::io::loadPCDFile(path, *cloud) == 0

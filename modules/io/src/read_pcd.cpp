@@ -204,74 +204,138 @@ void readColumns(const std::array<Column, 3>& columns, Count points, RawScan& sc
   }
 }
 
-// The data as it was before compression. Its size stands in the file twice: in the data
-// and as the product of the header's counts.
-std::vector<char> decompress(const Header& header, Count row, const Source& source)
+// Bytes of a point.
+Count rowOf(const Header& header)
+{
+  Count row = 0;
+  for (const Field& field : header.fields)
+    row += field.size * field.count;
+  return row;
+}
+
+void checkBinary(const Header& header, Count row, const Source& source)
+{
+  if (header.points > static_cast<Count>(header.body.end - header.body.at) / row)
+    source.failShort(header.points, "points");
+}
+
+struct Packed {
+  Count size = 0, unpacked = 0;
+};
+
+constexpr const char* broken =
+    "its compressed data is damaged; copy or export it again";
+
+// The size before compression stands in the file twice: in the data and as the product
+// of the header's counts.
+Packed checkCompressed(const Header& header, Count row, const Source& source)
 {
   const Text body = header.body;
   const auto held = static_cast<Count>(body.end - body.at);
-  const Count packed = held < 8 ? 0 : loadAs<std::uint32_t>(body.at);
-  const Count size = held < 8 ? 0 : loadAs<std::uint32_t>(body.at + 4);
-  if (held < 8 || packed > held - 8)
+  if (held < 8)
+    source.failShort(header.points, "points");
+  const Packed packed{loadAs<std::uint32_t>(body.at),
+                      loadAs<std::uint32_t>(body.at + 4)};
+  if (packed.size > held - 8)
     source.failShort(header.points, "points");
   // LZF packs at most 264 bytes into 3: more is no honest size to allocate.
-  const char* broken = "its compressed data is damaged; copy or export it again";
-  if (header.points > size / row || header.points * row != size || size / 88 > packed)
+  if (header.points > packed.unpacked / row || header.points * row != packed.unpacked ||
+      packed.unpacked / 88 > packed.size)
     source.fail(broken);
-  std::vector<char> data(size);
-  if (size > 0 && pcl::lzfDecompress(body.at + 8,
-                                     static_cast<unsigned>(packed),
-                                     data.data(),
-                                     static_cast<unsigned>(size)) != size)
+  return packed;
+}
+
+std::vector<char> decompress(const Header& header, Count row, const Source& source)
+{
+  const Packed packed = checkCompressed(header, row, source);
+  std::vector<char> data(packed.unpacked);
+  if (!data.empty() &&
+      pcl::lzfDecompress(header.body.at + 8,
+                         static_cast<unsigned>(packed.size),
+                         data.data(),
+                         static_cast<unsigned>(packed.unpacked)) != packed.unpacked)
     source.fail(broken);
   return data;
 }
 
+// The fields of x, y and z, with their types.
+struct Axes {
+  std::array<std::size_t, 3> fields{};
+  std::array<Scalar, 3> types{};
+};
+
+Axes axesOf(const Header& header, const Source& source)
+{
+  Axes axes;
+  for (int axis = 0; axis < 3; ++axis) {
+    axes.fields[axis] =
+        indexOf(std::string(1, static_cast<char>('x' + axis)), header, source);
+    axes.types[axis] = scalarOf(header.fields[axes.fields[axis]], source);
+  }
+  return axes;
+}
+
+[[noreturn]] void failKind(const Header& header, const Source& source)
+{
+  source.fail("its PCD data is of the unknown kind '" + header.data +
+              "'; save it as binary");
+}
+
 } // namespace
+
+void checkPcd(const Source& source)
+{
+  const Header header = readHeader(source);
+  const Axes axes = axesOf(header, source);
+  const Count row = rowOf(header);
+  if (header.data == "ascii") {
+    RawScan rows; // each of them is to be one
+    readAscii(header, axes.fields, source, rows);
+  }
+  else if (header.data == "binary")
+    checkBinary(header, row, source);
+  else if (header.data == "binary_compressed")
+    checkCompressed(header, row, source);
+  else
+    failKind(header, source);
+}
 
 RawScan readPcd(const Source& source)
 {
   const Header header = readHeader(source);
   RawScan scan;
   scan.format = "PCD";
-  std::array<std::size_t, 3> axes{};
-  std::array<Column, 3> columns{};
-  for (int axis = 0; axis < 3; ++axis) {
-    axes[axis] = indexOf(std::string(1, static_cast<char>('x' + axis)), header, source);
-    columns[axis].type = scalarOf(header.fields[axes[axis]], source);
-  }
+  const Axes axes = axesOf(header, source);
   if (header.data == "ascii") {
-    readAscii(header, axes, source, scan);
+    readAscii(header, axes.fields, source, scan);
     return scan;
   }
-  std::vector<std::size_t> before; // bytes of a row before each field
-  Count row = 0;
-  for (const Field& field : header.fields) {
-    before.push_back(row);
-    row += field.size * field.count;
-  }
-  if (header.data == "binary") {
-    const Text body = header.body;
-    if (header.points > static_cast<Count>(body.end - body.at) / row)
-      source.failShort(header.points, "points");
+  const Count row = rowOf(header);
+  std::array<Column, 3> columns{};
+  const auto setColumns = [&](const char* data, bool by_field) {
     for (int axis = 0; axis < 3; ++axis) {
-      columns[axis].first = body.at + before[axes[axis]];
-      columns[axis].stride = row;
+      Count before = 0; // bytes of a row before the field
+      for (std::size_t i = 0; i < axes.fields[axis]; ++i)
+        before += header.fields[i].size * header.fields[i].count;
+      const Count size = header.fields[axes.fields[axis]].size;
+      columns[axis] = {data + (by_field ? before * header.points : before),
+                       by_field ? size : row,
+                       axes.types[axis]};
     }
+  };
+  if (header.data == "binary") {
+    checkBinary(header, row, source);
+    setColumns(header.body.at, false);
     readColumns(columns, header.points, scan);
   }
   else if (header.data == "binary_compressed") {
     // All of the first field comes first, then all of the second, ...
     const std::vector<char> data = decompress(header, row, source);
-    for (int axis = 0; axis < 3; ++axis) {
-      columns[axis].first = data.data() + before[axes[axis]] * header.points;
-      columns[axis].stride = header.fields[axes[axis]].size;
-    }
+    setColumns(data.data(), true);
     readColumns(columns, header.points, scan);
   }
   else
-    source.fail("its PCD data is of the unknown kind '" + header.data +
-                "'; save it as binary");
+    failKind(header, source);
   return scan;
 }
 

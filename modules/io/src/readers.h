@@ -14,6 +14,9 @@ namespace pointmill::detail {
 // Each takes all points, non-finite ones too, and throws DataError; what holds for
 // every format is checked once in readScan().
 RawScan readPcd(const Source& source);
+/// @brief Throws as readPcd() does, but does not look at the values of binary data:
+/// afterwards PCL's reader, which trusts any header, may be let at the file.
+void checkPcd(const Source& source);
 RawScan readPly(const Source& source);
 RawScan readObj(const Source& source);
 RawScan readStl(const Source& source);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the PointMill authors
 #include <pointmill/common/error.h>
-#include <pointmill/common/parameters.h>
 #include <pointmill/slice/z_slices.h>
 
 #include <cmath>
@@ -10,7 +9,7 @@ namespace pointmill {
 
 std::vector<double> ZSlices::levels() const
 {
-  checkRange("ZSlices", "pitch", pitch_, "mm", {1e-3, 1000});
+  validateParameters(*this, "ZSlices");
   const double depth = z_max_ - z_min_;
   checkRange("ZSlices", "depth (z_max - z_min)", depth, "mm", {1e-3, 10000});
   // A depth of exactly n pitches must not round up to n + 1.

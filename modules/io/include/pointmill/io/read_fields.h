@@ -11,7 +11,10 @@
 
 namespace pointmill {
 
-/// @brief A PCD file with all its fields, whatever they are.
+/// @brief The names of a PCD file's fields, by its header alone; none for other files.
+std::vector<std::string> fieldsOf(const std::string& path);
+
+/// @brief A PCD file with all its fields, whatever they are, and however few points.
 /// @param maker what writes such clouds, for the message
 /// @throws DataError where it is none, or lacks one of @p needed, which PCL's reader
 /// would leave undefined
@@ -21,7 +24,7 @@ pcl::PCLPointCloud2::Ptr readFields(const std::string& path,
 
 /// @brief A scan with what PCL's reader finds in its file beside x, y and z; for other
 /// formats than PCD and PLY, and where that reader is wrong about the places, these
-/// alone.
+/// alone. A PCD file may have fewer points than a scan needs.
 /// @throws DataError, see readScan()
 pcl::PCLPointCloud2::Ptr readScanFields(const std::string& path);
 

@@ -2,6 +2,8 @@
 // Copyright (c) 2026, the PointMill authors
 #pragma once
 
+#include <pointmill/common/parameters.h>
+
 #include <vector>
 
 namespace pointmill {
@@ -24,6 +26,12 @@ public:
   /// @brief Paper 001's pitch for a cutter of diameter @p d [mm].
   void setPitchForDiameter(double d) { pitch_ = pitchForDiameter(d); }
   static double pitchForDiameter(double d) { return 0.3 * d / 4; }
+
+  template <typename V>
+  void parameters(V&& v)
+  {
+    v("pitch", pitch_, "mm", Range{1e-3, 1000}, "distance between two levels");
+  }
 
   /// @brief The planes' heights, descending.
   /// @throws ParameterError for limits or a pitch that give no plane, or over 100,000
