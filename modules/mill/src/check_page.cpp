@@ -60,7 +60,7 @@ Html sectionsTable(const Judgement& judgement, const ViewScene& view)
   return table("What each section of the program does",
                {{"section", false, ""},
                 {"tool", false, ""},
-                {"time", true, "min"},
+                {"time", true, ""},
                 {"cut", true, "mm"},
                 {"rapid", true, "mm"},
                 {"cut", true, "cm\u00b3"},

@@ -216,7 +216,7 @@ Html accuracy(const Judgement& judgement, const Criteria& criteria)
 Html timeBar(double minutes, double whole, const std::string& colour)
 {
   const double share = whole > 0 ? std::clamp(100 * minutes / whole, 0.0, 100.0) : 0.0;
-  return Html(print("%.1f", minutes)) +
+  return Html(hoursAndMinutes(minutes)) +
          Html::markup("<span class=\"bar-room\" aria-hidden=\"true\"><span "
                       "class=\"bar-fill\" style=\"width:" +
                       print("%.1f", share) + "%;background:" + colour +

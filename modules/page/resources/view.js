@@ -309,9 +309,11 @@
     return input;
   }
 
-  // As the page's own times: begun minutes are counted.
+  // As the page's own times: to the nearest minute.
   function clock(seconds) {
-    const minutes = Math.ceil(seconds / 60), hours = Math.floor(minutes / 60);
+    const minutes = Math.floor(seconds / 60 + 0.5), hours = Math.floor(minutes / 60);
+    if (minutes < 1)
+      return seconds > 0 ? 'under 1\u00a0min' : '0\u00a0min';
     return (hours > 0 ? hours + '\u00a0h\u00a0' + String(minutes % 60).padStart(2, '0') : minutes) + '\u00a0min';
   }
 
