@@ -64,7 +64,7 @@ Html sectionsTable(const Judgement& judgement, const ViewScene& view)
                 {"cut", true, "mm"},
                 {"rapid", true, "mm"},
                 {"cut", true, "cm\u00b3"},
-                {"axial", true, "max mm"}},
+                {"thickest layer", true, "at once, mm"}},
                rows);
 }
 

@@ -167,9 +167,33 @@ private:
     return html;
   }
 
+  /// What the verification says of each operation. Its sections are matched as those
+  /// of the times are: where a post writes no names, the tool's figure stands for all.
+  std::vector<double> thickestLayers() const
+  {
+    const auto& sections = verification().sections;
+    std::vector<double> layers;
+    for (std::size_t i = 0; i < sections.size(); ++i) {
+      if (i == 0 || sections[i].name != sections[i - 1].name ||
+          sections[i].tool != sections[i - 1].tool)
+        layers.push_back(0);
+      layers.back() = std::max(layers.back(), sections[i].axial_depth);
+    }
+    if (layers.size() == job_.operations().size())
+      return layers;
+    layers.clear();
+    const auto& of_tools = verification().axial_depth;
+    for (const auto& o : job_.operations()) {
+      const auto at = of_tools.find(o.operation.tool.number);
+      layers.push_back(at == of_tools.end() ? 0.0 : at->second);
+    }
+    return layers;
+  }
+
   Html operations() const
   {
     std::vector<std::vector<Html>> rows;
+    const std::vector<double> layers = thickestLayers();
     int number = 0;
     double cut = 0, rapid = 0, volume = 0;
     for (const auto& o : job_.operations()) {
@@ -185,7 +209,7 @@ private:
            print("%zu",
                  f.retracts + static_cast<std::size_t>(o.report.get("link_lifts"))),
            print("%.2f / %.2f", f.cut.mean_radial, f.cut.max_radial),
-           print("%.2f", f.cut.max_axial),
+           print("%.2f", layers[rows.size()]),
            print("%.2f", f.cut.volume / 1000),
            print("%.2f", o.volume_left / 1000)});
       cut += f.cutting_length;
@@ -212,14 +236,17 @@ private:
                        {"rapid", true, "mm"},
                        {"lifts", true, ""},
                        {"radial", true, "mean / max mm"},
-                       {"axial", true, "max mm"},
+                       {"thickest layer", true, "verified, mm"},
                        {"cut", true, "cm\u00b3"},
                        {"left", true, "cm\u00b3"}},
                       rows);
-    html +=
-        element("p",
-                "Times know the machine's acceleration, corners and 15 s for each "
-                "tool change. Left is the stock above the part after the operation.");
+    html += element(
+        "p",
+        "Times know the machine's acceleration, corners and 15 s for each "
+        "tool change, and are to the nearest minute. The thickest layer is what "
+        "the verification finds a tool to take at once, as in pointmill check: "
+        "narrower strips do not count. Left is the stock above the part after "
+        "the operation.");
     for (const auto& o : job_.idleOperations())
       html +=
           element("p",
