@@ -68,22 +68,22 @@ public:
     page.body = head() + mind();
     page.body +=
         section("view-3d", "Part and tool paths", viewPlace() + take("preview.png"));
-    page.body += section("set-up",
-                         written_ ? "Set-up sheet" : "Set-up sheet, as planned",
-                         setupSheet(job_, written_));
-    page.body += section("operations", "Operations", operations());
     page.body +=
         section("accuracy",
                 "The milled part against the scan",
                 accuracy(job_.judgement(), job_.criteria()) + take("deviation.png"));
+    page.body += section("set-up",
+                         written_ ? "Set-up sheet" : "Set-up sheet, as planned",
+                         setupSheet(job_, written_));
+    page.body += section("operations", "Operations", operations());
     page.body += section("not-cut", "Not cut, not scanned", notCut());
     page.body += section("scan", "Scan and tolerance", scan());
+    if (written_)
+      page.body += section("again", "To check it again", again());
     const Html more = rest();
     if (!more.empty())
       page.body +=
           section("pictures", "More pictures", element("div class=\"row\"", more));
-    if (written_)
-      page.body += section("again", "To check it again", again());
     page.body += foot();
     page.scene = viewJson(viewOf(job_));
     return page;
@@ -155,12 +155,14 @@ private:
     for (const auto& line : warningsOf(job_))
       if (std::find(found.begin(), found.end(), line) == found.end())
         lines += element("li", line);
-    if (!found.empty())
-      html +=
-          section("findings",
-                  "Findings",
-                  findings(job_.judgement(), job_.criteria(), inFolder("section.png")) +
-                      take("findings.png") + take("refused.png"));
+    if (!found.empty()) {
+      const Html overview = take("findings.png") + take("refused.png");
+      html += section(
+          "findings",
+          "Findings",
+          findings(
+              job_.judgement(), job_.criteria(), inFolder("section.png"), overview));
+    }
     if (!lines.empty())
       html += section(
           "mind", "To mind before the start", element("ul class=\"mind\"", lines));

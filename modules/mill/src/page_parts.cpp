@@ -108,7 +108,8 @@ Html terms(const std::vector<std::pair<std::string, Html>>& list)
 
 Html findings(const Judgement& judgement,
               const Criteria& criteria,
-              const std::string& scratch)
+              const std::string& scratch,
+              const Html& overview)
 {
   const auto& list = judgement.verification.findings;
   if (list.empty())
@@ -134,14 +135,15 @@ Html findings(const Judgement& judgement,
                         (error ? "error " : "warning ") + std::to_string(i + 1)) +
                     f.text) +
         element("p class=\"where\"", where);
-    if (writeSection(scratch, scene.scene(), i))
+    const bool told = list.size() == 1 && !overview.empty();
+    if (!told && writeSection(scratch, scene.scene(), i))
       item += of({scratch,
                   "Section through the place of finding " + std::to_string(i + 1) +
                       ": part, stock and tool",
                   "Section through the place, one scale for both axes, in mm"});
     items += element(error ? "li class=\"error\"" : "li class=\"warning\"", item);
   }
-  return element("ul class=\"findings\"", items);
+  return element("ul class=\"findings\"", items) + overview;
 }
 
 std::vector<std::pair<std::string, std::string>> figuresOf(const Judgement& judgement,
