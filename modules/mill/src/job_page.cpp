@@ -246,7 +246,7 @@ private:
         "p",
         "Times know the machine's acceleration, corners and 15 s for each "
         "tool change, and are to the nearest minute. The thickest layer is what "
-        "the verification finds a tool to take at once, as in pointmill check: "
+        "the verification finds a tool to take at once, as a check says it: "
         "narrower strips do not count. Left is the stock above the part after "
         "the operation.");
     for (const auto& o : job_.idleOperations())
