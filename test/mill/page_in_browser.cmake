@@ -76,6 +76,13 @@ if(NOT document MATCHES "data-test=\"passed\"")
   string(REGEX MATCH "data-[a-z]+=\"[^\"]*\"( data-[a-z]+=\"[^\"]*\")*" said "${document}")
   message(FATAL_ERROR "the page in use: ${said}")
 endif()
+# On a telephone's width, which no window of Chromium's has: in a frame of that width.
+configure_file(${NARROW} ${WORK}/narrow.html COPYONLY)
+browse(${WORK}/narrow.html document --allow-file-access-from-files --hide-scrollbars)
+if(NOT document MATCHES "data-test=\"passed\"")
+  string(REGEX MATCH "data-test=\"[^\"]*\"" said "${document}")
+  message(FATAL_ERROR "the narrow page: ${said}")
+endif()
 # Chromium's dump is a script itself, so those of the page are switched off one by one.
 file(READ ${WORK}/nc/report.html page)
 string(REPLACE "<script" "<script type=\"text/plain\"" page "${page}")

@@ -30,6 +30,18 @@
     }
     return { all: bytes.length / 4, drawn: drawn, coloured: coloured, sum: sum };
   }
+  // How many pixels of the picture's rim are drawn on: what is there is cut off.
+  function cutOff() {
+    const bytes = window.pointmillView.pixels();
+    const canvas = by('#view-canvas canvas'), columns = canvas.width, rows = canvas.height;
+    let drawn = 0;
+    for (let i = 0; i < columns * rows; ++i) {
+      const column = i % columns, row = Math.floor(i / columns);
+      if ((column === 0 || row === 0 || column === columns - 1 || row === rows - 1) && bytes[4 * i] < 235)
+        ++drawn;
+    }
+    return drawn;
+  }
   function use(selector, value) {
     const input = by(selector);
     if (value === undefined)
@@ -61,6 +73,13 @@
     expect('in colours', all.coloured > 1000);
     const rapids = use('input[name=rapids]');
     expect('rapids too', rapids.sum !== all.sum);
+    use('input[name=plane]');
+    for (const look of ['iso', 'top', 'front', 'right']) {
+      use('[data-look=' + look + ']');
+      expect('all that is shown is in the picture: ' + look, cutOff() === 0);
+    }
+    use('input[name=plane]');
+    use('[data-look=iso]');
     const begun = use('#view-share', 20);
     expect('fewer at the beginning: ' + begun.drawn, begun.drawn < all.drawn);
     expect('the operation is named', / of .*: 1  /.test(by('#view-now').textContent));

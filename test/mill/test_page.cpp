@@ -127,6 +127,46 @@ TEST(Page, HoldsAllThatThereIsToSay)
     EXPECT_FALSE(scene["fields"][field]["values"].get<std::string>().empty()) << field;
 }
 
+TEST(Page, LayersAndTimesAreThoseOfTheVerification)
+{
+  const TempDir folder;
+  MillJob job{MillOptions()};
+  job.plan(data("stairs.pcd"));
+  job.write((folder / "nc").string());
+  const std::string page = contents(folder / "nc/report.html");
+  const auto& sections = job.verification().sections;
+  ASSERT_EQ(sections.size(), job.operations().size());
+  for (const auto& s : sections) {
+    char cell[64];
+    std::snprintf(cell,
+                  sizeof cell,
+                  "data-head=\"thickest layer, verified, mm\">%.2f<",
+                  s.axial_depth);
+    EXPECT_TRUE(holds(page, cell)) << s.name;
+  }
+  // Operations, cutting data and head say a time in one way.
+  for (const auto& o : job.operations()) {
+    const auto minutes = static_cast<int>(o.figures.minutes + 0.5);
+    const std::string time = minutes < 1 ? "under 1" : std::to_string(minutes);
+    EXPECT_GE(count(page, "data-head=\"time\">" + time + " min<"), 2u)
+        << o.operation.name;
+  }
+}
+
+TEST(Page, OfASingleFindingShowsItsSectionOnce)
+{
+  const TempDir folder;
+  MillOptions options;
+  options.finish.allowance = 0.3;
+  options.residual_limit = 0.05;
+  MillJob job(options);
+  EXPECT_THROW(job.plan(data("dome.pcd")), VerificationError);
+  job.writeRefusal((folder / "nc").string());
+  const std::string page = contents(folder / "nc/refused.html");
+  ASSERT_EQ(job.verification().findings.size(), 1u);
+  EXPECT_EQ(count(page, "Section through the place of finding"), 0u);
+}
+
 TEST(Page, LoadsNothing)
 {
   const std::string page = pageOf(data("stairs.pcd"));

@@ -60,11 +60,11 @@ Html sectionsTable(const Judgement& judgement, const ViewScene& view)
   return table("What each section of the program does",
                {{"section", false, ""},
                 {"tool", false, ""},
-                {"time", true, "min"},
+                {"time", true, ""},
                 {"cut", true, "mm"},
                 {"rapid", true, "mm"},
                 {"cut", true, "cm\u00b3"},
-                {"axial", true, "max mm"}},
+                {"thickest layer", true, "at once, mm"}},
                rows);
 }
 
@@ -87,14 +87,16 @@ void writeCheckPage(const std::string& path,
                   print("%zu lines, checked by PointMill ", judgement.program.lines) +
                       version + ".") +
           verdictOf(v) + tiles(figuresOf(judgement, criteria)));
-  Html found = findings(judgement, criteria, scratch.path());
+  Html overview;
   if (!v.findings.empty()) {
     writeFindings(scratch.path(), title, judgement, criteria);
-    found += of(PictureFile{scratch.path(),
-                            "What was found, and where",
-                            "All findings on the part, seen from above"});
+    overview = of(PictureFile{scratch.path(),
+                              "What was found, and where",
+                              "All findings on the part, seen from above, and the "
+                              "worst of them"});
   }
-  page.body += section("findings", "Findings", found);
+  page.body += section(
+      "findings", "Findings", findings(judgement, criteria, scratch.path(), overview));
   page.body += section("view-3d", "Part and tool paths", viewPlace());
   page.body +=
       section("operations", "Sections of the program", sectionsTable(judgement, view));

@@ -68,22 +68,22 @@ public:
     page.body = head() + mind();
     page.body +=
         section("view-3d", "Part and tool paths", viewPlace() + take("preview.png"));
-    page.body += section("set-up",
-                         written_ ? "Set-up sheet" : "Set-up sheet, as planned",
-                         setupSheet(job_, written_));
-    page.body += section("operations", "Operations", operations());
     page.body +=
         section("accuracy",
                 "The milled part against the scan",
                 accuracy(job_.judgement(), job_.criteria()) + take("deviation.png"));
+    page.body += section("set-up",
+                         written_ ? "Set-up sheet" : "Set-up sheet, as planned",
+                         setupSheet(job_, written_));
+    page.body += section("operations", "Operations", operations());
     page.body += section("not-cut", "Not cut, not scanned", notCut());
     page.body += section("scan", "Scan and tolerance", scan());
+    if (written_)
+      page.body += section("again", "To check it again", again());
     const Html more = rest();
     if (!more.empty())
       page.body +=
           section("pictures", "More pictures", element("div class=\"row\"", more));
-    if (written_)
-      page.body += section("again", "To check it again", again());
     page.body += foot();
     page.scene = viewJson(viewOf(job_));
     return page;
@@ -155,21 +155,47 @@ private:
     for (const auto& line : warningsOf(job_))
       if (std::find(found.begin(), found.end(), line) == found.end())
         lines += element("li", line);
-    if (!found.empty())
-      html +=
-          section("findings",
-                  "Findings",
-                  findings(job_.judgement(), job_.criteria(), inFolder("section.png")) +
-                      take("findings.png") + take("refused.png"));
+    if (!found.empty()) {
+      const Html overview = take("findings.png") + take("refused.png");
+      html += section(
+          "findings",
+          "Findings",
+          findings(
+              job_.judgement(), job_.criteria(), inFolder("section.png"), overview));
+    }
     if (!lines.empty())
       html += section(
           "mind", "To mind before the start", element("ul class=\"mind\"", lines));
     return html;
   }
 
+  /// What the verification says of each operation. Its sections are matched as those
+  /// of the times are: where a post writes no names, the tool's figure stands for all.
+  std::vector<double> thickestLayers() const
+  {
+    const auto& sections = verification().sections;
+    std::vector<double> layers;
+    for (std::size_t i = 0; i < sections.size(); ++i) {
+      if (i == 0 || sections[i].name != sections[i - 1].name ||
+          sections[i].tool != sections[i - 1].tool)
+        layers.push_back(0);
+      layers.back() = std::max(layers.back(), sections[i].axial_depth);
+    }
+    if (layers.size() == job_.operations().size())
+      return layers;
+    layers.clear();
+    const auto& of_tools = verification().axial_depth;
+    for (const auto& o : job_.operations()) {
+      const auto at = of_tools.find(o.operation.tool.number);
+      layers.push_back(at == of_tools.end() ? 0.0 : at->second);
+    }
+    return layers;
+  }
+
   Html operations() const
   {
     std::vector<std::vector<Html>> rows;
+    const std::vector<double> layers = thickestLayers();
     int number = 0;
     double cut = 0, rapid = 0, volume = 0;
     for (const auto& o : job_.operations()) {
@@ -179,14 +205,13 @@ private:
           {swatch(colour) + print("%d  ", ++number) + o.operation.name,
            o.operation.tool.describe(),
            timeBar(f.minutes, job_.minutes(), colour),
-           print("%zu", f.cl_points),
            print("%.0f", f.cutting_length),
            print("%.1f", 100 * f.cut.airShare()),
            print("%.0f", f.rapid_length),
            print("%zu",
                  f.retracts + static_cast<std::size_t>(o.report.get("link_lifts"))),
            print("%.2f / %.2f", f.cut.mean_radial, f.cut.max_radial),
-           print("%.2f", f.cut.max_axial),
+           print("%.2f", layers[rows.size()]),
            print("%.2f", f.cut.volume / 1000),
            print("%.2f", o.volume_left / 1000)});
       cut += f.cutting_length;
@@ -195,8 +220,7 @@ private:
     }
     rows.push_back({"all",
                     "",
-                    print("%.1f", job_.minutes()),
-                    "",
+                    hoursAndMinutes(job_.minutes()),
                     print("%.0f", cut),
                     "",
                     print("%.0f", rapid),
@@ -208,21 +232,23 @@ private:
     Html html = table("What each operation does",
                       {{"operation", false, ""},
                        {"tool", false, ""},
-                       {"time", true, "min"},
-                       {"CL points", true, ""},
+                       {"time", true, ""},
                        {"cut", true, "mm"},
                        {"in air", true, "%"},
                        {"rapid", true, "mm"},
                        {"lifts", true, ""},
                        {"radial", true, "mean / max mm"},
-                       {"axial", true, "max mm"},
+                       {"thickest layer", true, "verified, mm"},
                        {"cut", true, "cm\u00b3"},
                        {"left", true, "cm\u00b3"}},
                       rows);
-    html +=
-        element("p",
-                "Times know the machine's acceleration, corners and 15 s for each "
-                "tool change. Left is the stock above the part after the operation.");
+    html += element(
+        "p",
+        "Times know the machine's acceleration, corners and 15 s for each "
+        "tool change, and are to the nearest minute. The thickest layer is what "
+        "the verification finds a tool to take at once, as a check says it: "
+        "narrower strips do not count. Left is the stock above the part after "
+        "the operation.");
     for (const auto& o : job_.idleOperations())
       html +=
           element("p",

@@ -108,7 +108,8 @@ Html terms(const std::vector<std::pair<std::string, Html>>& list)
 
 Html findings(const Judgement& judgement,
               const Criteria& criteria,
-              const std::string& scratch)
+              const std::string& scratch,
+              const Html& overview)
 {
   const auto& list = judgement.verification.findings;
   if (list.empty())
@@ -134,14 +135,15 @@ Html findings(const Judgement& judgement,
                         (error ? "error " : "warning ") + std::to_string(i + 1)) +
                     f.text) +
         element("p class=\"where\"", where);
-    if (writeSection(scratch, scene.scene(), i))
+    const bool told = list.size() == 1 && !overview.empty();
+    if (!told && writeSection(scratch, scene.scene(), i))
       item += of({scratch,
                   "Section through the place of finding " + std::to_string(i + 1) +
                       ": part, stock and tool",
                   "Section through the place, one scale for both axes, in mm"});
     items += element(error ? "li class=\"error\"" : "li class=\"warning\"", item);
   }
-  return element("ul class=\"findings\"", items);
+  return element("ul class=\"findings\"", items) + overview;
 }
 
 std::vector<std::pair<std::string, std::string>> figuresOf(const Judgement& judgement,
@@ -166,57 +168,72 @@ Html accuracy(const Judgement& judgement, const Criteria& criteria)
   const Verification& v = judgement.verification;
   const double tolerance = criteria.tolerance;
   const DeviationShares shares(v.deviations, tolerance);
+  const bool noisy = criteria.model != nullptr;
   const auto row = [](const std::string& name, const Quantiles& q) {
     std::vector<Html> cells{name};
-    for (const double value : {q.p50, q.p90, q.p95, q.p99, q.max})
+    for (const double value : {q.p50, q.p90, q.p95, q.p99})
       cells.emplace_back(std::isfinite(value) ? print("%.4f", value) : "-");
     return cells;
   };
   std::vector<std::vector<Html>> quantiles{
       row("left over, more than a perfect pass of the last tool leaves", v.residual),
-      row("deviation of the points in reach, milled minus scan", v.deviation)};
-  if (criteria.model)
-    quantiles.push_back(row("the same of the points as scanned", v.raw_deviation));
-  std::vector<std::vector<Html>> counts{{"milled lower than the tolerance allows",
-                                         std::to_string(shares.below),
-                                         percent(shares.below, shares.cut)},
-                                        {print("within \u00b1%.3g mm", tolerance),
-                                         std::to_string(shares.within),
-                                         percent(shares.within, shares.cut)},
-                                        {"milled higher: material is left",
-                                         std::to_string(shares.over),
-                                         percent(shares.over, shares.cut)}};
-  return table("How near the milled part comes to the scan [mm]",
+      row(noisy ? "milled minus scan without its noise, points in reach"
+                : "milled minus scan, points in reach",
+          v.deviation)};
+  if (noisy)
+    quantiles.push_back(
+        row("milled minus scan as scanned, points in reach", v.raw_deviation));
+  const std::string scanned = noisy ? "scanned point" : "point of the scan";
+  std::vector<std::vector<Html>> counts{
+      {"below the " + scanned + print(" by more than %.3g mm vertically", tolerance) +
+           (noisy ? ": the scan's noise counts here" : ""),
+       std::to_string(shares.below),
+       percent(shares.below, shares.cut)},
+      {print("within \u00b1%.3g mm of it", tolerance),
+       std::to_string(shares.within),
+       percent(shares.within, shares.cut)},
+      {print("above it by more than %.3g mm", tolerance),
+       std::to_string(shares.over),
+       percent(shares.over, shares.cut)}};
+  return element("p",
+                 "In reach are the points that the last tool comes to in a perfect "
+                 "pass. Those under others, in corners narrower than the tool or "
+                 "beside keep-out zones do not count. Half of the points have no more "
+                 "than p50, 99 of 100 no more than p99.") +
+         table("How near the milled part comes to the scan [mm]",
                {{"", false, ""},
                 {"p50", true, "half"},
                 {"p90", true, ""},
                 {"p95", true, ""},
-                {"p99", true, ""},
-                {"max", true, ""}},
+                {"p99", true, ""}},
                quantiles) +
-         element("h3", "Milled surface minus each point of the scan") +
+         element("h3",
+                 noisy ? "Milled surface minus each point, as scanned"
+                       : "Milled surface minus each point") +
+         element("p",
+                 print("These are vertical distances at all %zu points that a tool "
+                       "passes over, covered ones too, of %zu. On walls they are far "
+                       "more than the distance from the wall",
+                       shares.cut,
+                       shares.points) +
+                     (noisy ? "; and the scan's noise is in them, as points lie to "
+                              "both sides of the surface"
+                            : "") +
+                     ". They refuse no program. What does is the gouge, how deep a "
+                     "point gets into a tool: " +
+                     print("%.4f mm here, %.4f mm would pass.",
+                           v.gouge,
+                           criteria.gougeLimit())) +
          element("div class=\"sketch-room\"", deviationChart(v.deviations, tolerance)) +
-         table("Points that a tool came to, as scanned",
+         table("Points that a tool passes over",
                {{"", false, ""}, {"points", true, ""}, {"share", true, ""}},
-               counts) +
-         element(
-             "p",
-             print("No tool came to %zu of all %zu points. ",
-                   shares.points - shares.cut,
-                   shares.points) +
-                 "Distances here are vertical, which on walls is far more than the "
-                 "distance from the wall" +
-                 (criteria.model ? "; they are those of the points as scanned, noise "
-                                   "included"
-                                 : "") +
-                 ". What refuses a program is the gouge: how deep a point gets into "
-                 "a tool.");
+               counts);
 }
 
 Html timeBar(double minutes, double whole, const std::string& colour)
 {
   const double share = whole > 0 ? std::clamp(100 * minutes / whole, 0.0, 100.0) : 0.0;
-  return Html(print("%.1f", minutes)) +
+  return Html(hoursAndMinutes(minutes)) +
          Html::markup("<span class=\"bar-room\" aria-hidden=\"true\"><span "
                       "class=\"bar-fill\" style=\"width:" +
                       print("%.1f", share) + "%;background:" + colour +

@@ -33,9 +33,12 @@ Html terms(const std::vector<std::pair<std::string, Html>>& list);
 
 /// @brief What was found, each with a section through its place.
 /// @param scratch file that its pictures pass through, and that is left behind
+/// @param overview the picture of all findings. It holds the section of the worst one,
+/// so that a single finding has none of its own beside it.
 Html findings(const Judgement& judgement,
               const Criteria& criteria,
-              const std::string& scratch);
+              const std::string& scratch,
+              const Html& overview);
 
 /// @brief How near the milled part comes to the scan, in figures and as a chart.
 Html accuracy(const Judgement& judgement, const Criteria& criteria);

@@ -13,7 +13,7 @@ __attribute__((format(printf, 1, 2)))
 std::string
 print(const char* format, ...);
 
-/// @brief "2 h 05 min", begun minutes counted.
+/// @brief "2 h 05 min", "35 min", to the nearest minute, as the page's script does.
 std::string hoursAndMinutes(double minutes);
 
 } // namespace pointmill

@@ -150,7 +150,7 @@ Html cuttingTable(const MillJob& job)
          print("%.0f", o.cutting.plunge_feed),
          print("%.2f", planned.allowance),
          o.cutting.coolant ? "on" : "off",
-         print("%.1f", planned.figures.minutes)});
+         hoursAndMinutes(planned.figures.minutes)});
   }
   return table("Cutting data, in the order of machining",
                {{"operation", false, ""},
@@ -161,7 +161,7 @@ Html cuttingTable(const MillJob& job)
                 {"plunge feed", true, "mm/min"},
                 {"leaves", true, "mm"},
                 {"coolant", false, ""},
-                {"time", true, "min"}},
+                {"time", true, ""}},
                rows);
 }
 

@@ -309,9 +309,11 @@
     return input;
   }
 
-  // As the page's own times: begun minutes are counted.
+  // As the page's own times: to the nearest minute.
   function clock(seconds) {
-    const minutes = Math.ceil(seconds / 60), hours = Math.floor(minutes / 60);
+    const minutes = Math.floor(seconds / 60 + 0.5), hours = Math.floor(minutes / 60);
+    if (minutes < 1)
+      return seconds > 0 ? 'under 1\u00a0min' : '0\u00a0min';
     return (hours > 0 ? hours + '\u00a0h\u00a0' + String(minutes % 60).padStart(2, '0') : minutes) + '\u00a0min';
   }
 
@@ -333,7 +335,9 @@
     const min = scene.min, max = scene.max;
     const size = max.map((m, i) => m - min[i]);
     const diagonal = Math.hypot(...size), axis = diagonal / 9;
+    // What must be in the picture, see reach().
     const middle = new THREE.Vector3(...max.map((m, i) => (m + min[i]) / 2));
+    let bounds = new THREE.Box3(new THREE.Vector3(...min), new THREE.Vector3(...max));
 
     const renderer = new THREE.WebGLRenderer({ canvas: canvas, context: context, antialias: true });
     renderer.setPixelRatio(Math.min(window.devicePixelRatio || 1, 2));
@@ -370,7 +374,7 @@
     canvas.addEventListener('pointerdown', () => place.focus({ preventScroll: true }));
     canvas.addEventListener('touchstart', () => { orbit.enableZoom = true; }, { capture: true, passive: true });
 
-    // A box of the stock with some room fills the picture from any side.
+    // The stock with some room fills the picture from any side.
     function fit() {
       const width = Math.max(place.clientWidth, 1), height = Math.max(place.clientHeight, 1);
       renderer.setSize(width, height);
@@ -392,7 +396,8 @@
       const inverse = new THREE.Matrix4().getInverse(camera.matrixWorld);
       const seen = [];
       for (let i = 0; i < 8; ++i)
-        seen.push(new THREE.Vector3(i & 1 ? max[0] : min[0], i & 2 ? max[1] : min[1], i & 4 ? max[2] : min[2]));
+        seen.push(new THREE.Vector3(bounds[i & 1 ? 'max' : 'min'].x, bounds[i & 2 ? 'max' : 'min'].y,
+                                    bounds[i & 4 ? 'max' : 'min'].z));
       for (let i = 0; i < 3; ++i) // the letters of the axes
         seen.push(new THREE.Vector3().setComponent(i, 1.35 * axis));
       let most = 1e-9;
@@ -402,13 +407,31 @@
       }
       return 0.95 / most;
     }
-    function look(name) {
-      const direction = looks[name] || looks.iso;
+    const framedThings = new Map();
+    let framed = null; // the zoom as it was set here
+    function lookAlong(direction) {
+      bounds.getCenter(middle);
       orbit.target.copy(middle);
-      camera.zoom = zoomFor(direction);
+      camera.zoom = framed = zoomFor(direction);
       camera.updateProjectionMatrix();
       orbit.update();
       draw();
+    }
+    function look(name) {
+      lookAlong(looks[name] || looks.iso);
+    }
+    // Frames what is shown, unless one has moved or zoomed by hand.
+    function reach() {
+      const now = new THREE.Box3(new THREE.Vector3(...min), new THREE.Vector3(...max));
+      framedThings.forEach((box, object) => {
+        if (object.visible)
+          now.union(box);
+      });
+      if (now.equals(bounds))
+        return;
+      bounds = now;
+      if (camera.zoom === framed && orbit.target.distanceTo(middle) < 1e-6 * diagonal)
+        lookAlong(camera.position.clone().sub(middle).toArray());
     }
 
     // Surfaces
@@ -484,13 +507,16 @@
       world.add(object);
       const input = control(byId('view-things'), 'checkbox', name, label, visible, (on) => {
         object.visible = on;
+        reach();
         draw();
       });
       return input;
     }
     thing('stock', 'stock', boxLines(min, max, 0x55606c), true);
     thing('datum', 'datum and axes', datumOf(axis), true);
-    thing('plane', 'clearance plane', rectangleAt(min, max, scene.clearance, 0x56b4e9, 0.25), false);
+    const plane = rectangleAt(min, max, scene.clearance, 0x56b4e9, 0.25);
+    framedThings.set(plane, new THREE.Box3().setFromObject(plane));
+    thing('plane', 'clearance plane', plane, false);
     if (scene.zones.length > 0) {
       const zones = new THREE.Group();
       scene.zones.forEach((zone) => zones.add(zoneOf(zone, min[2])));
@@ -506,7 +532,12 @@
         linesOf(feeds, new THREE.LineBasicMaterial({ color: path.colour, transparent: true, opacity: 0.8 })),
         linesOf(rapids, new THREE.LineDashedMaterial({
           color: 0x1a1a1a, dashSize: diagonal / 90, gapSize: diagonal / 120 }), true)];
-      parts.forEach((part) => world.add(part));
+      parts.forEach((part, kind) => {
+        world.add(part);
+        const places = (kind === 0 ? feeds : rapids).places;
+        if (places.length > 0)
+          framedThings.set(part, new THREE.Box3().setFromArray(places));
+      });
       return { path: path, on: false, strokes: [feeds, rapids], parts: parts };
     });
     let rapids = false, now = scene.paths ? scene.paths.seconds : 0;
@@ -541,6 +572,7 @@
           part.visible = p.on && (kind === 0 || rapids) && count > 0;
         });
       }
+      reach();
       if (current && now < whole) {
         let latest = -1;
         current.strokes.forEach((strokes) => {

@@ -18,7 +18,7 @@ using svg::print;
 using svg::text;
 
 constexpr int kBins = 64; ///< even: none lies to both sides of zero
-constexpr double kLeft = 64, kTop = 28, kWide = 640, kHigh = 210;
+constexpr double kLeft = 76, kTop = 28, kWide = 640, kHigh = 210;
 constexpr double kLeast = 0.01; ///< per cent, at the bottom
 
 } // namespace

@@ -5,6 +5,14 @@
 #include <cstdint>
 
 namespace pointmill {
+namespace {
+
+/// A table of more columns stacks its cells where the page is narrow.
+constexpr std::size_t kFew = 3;
+/// A table of more rows may go over from one printed page to the next.
+constexpr std::size_t kShort = 12;
+
+} // namespace
 
 std::string escaped(std::string_view text)
 {
@@ -82,19 +90,30 @@ Html table(const std::string& caption,
       text += Html::markup("<br>") + element("small", columns[i].unit);
     head += element("th scope=\"col\"" + std::string(kind(i)), text);
   }
+  const auto named = [&](std::size_t column) {
+    if (column >= columns.size())
+      return std::string();
+    const HtmlColumn& c = columns[column];
+    return " data-head=\"" + escaped(c.head + (c.unit.empty() ? "" : ", " + c.unit)) +
+           "\"";
+  };
   for (const auto& row : rows) {
     Html cells;
     for (std::size_t i = 0; i < row.size(); ++i)
-      cells +=
-          element((i == 0 ? "th scope=\"row\"" : "td") + std::string(kind(i)), row[i]);
+      cells += element(i == 0 ? "th scope=\"row\"" + std::string(kind(i))
+                              : "td" + std::string(kind(i)) + named(i),
+                       row[i]);
     body += element("tr", cells);
   }
-  return element("div class=\"wide\" tabindex=\"0\" role=\"region\" aria-label=\"" +
-                     escaped(caption) + "\"",
-                 element("table",
-                         element("caption", caption) +
-                             element("thead", element("tr", head)) +
-                             element("tbody", body)));
+  const std::string classes = std::string("wide") +
+                              (columns.size() > kFew ? " many" : "") +
+                              (rows.size() > kShort ? " long" : "");
+  return element(
+      "div class=\"" + classes + "\" tabindex=\"0\" role=\"region\" aria-label=\"" +
+          escaped(caption) + "\"",
+      element("table",
+              element("caption", caption) + element("thead", element("tr", head)) +
+                  element("tbody", body)));
 }
 
 Html section(const std::string& id, const std::string& heading, const Html& content)

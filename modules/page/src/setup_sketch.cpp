@@ -20,12 +20,15 @@ using svg::print;
 using svg::text;
 
 /// All sizes in units of the SVG, of which the page is about 760 wide.
-constexpr double kLeft = 84, kRight = 236, kTop = 64, kWide = 440, kHigh = 400;
-constexpr double kBetween = 106; ///< the views, with the dimension of the width
-constexpr double kLabel = 19;    ///< from one label to the next
-constexpr double kNarrow = 62;   ///< dimensions have their length beside them
-constexpr int kBands = 10;       ///< of heights
-constexpr int kCells = 160;      ///< of the part's outline
+constexpr double kLeft = 94, kRight = 212, kTop = 82, kWide = 440, kHigh = 400;
+constexpr double kBetween = 122;   ///< the views, with the dimension of the width
+constexpr double kLeastWide = 180; ///< the views, for what is written beside them
+constexpr double kArrow = 46;      ///< an axis of the datum
+constexpr double kHeading = 60;    ///< of a view, above it and any arrow in it
+constexpr double kLabel = 19;      ///< from one label to the next
+constexpr double kNarrow = 62;     ///< dimensions have their length beside them
+constexpr int kBands = 10;         ///< of heights
+constexpr int kCells = 160;        ///< of the part's outline
 
 std::string length(double value)
 {
@@ -58,7 +61,10 @@ public:
     high_ = std::max({scene.clearance, scene.stock.max.z(), 0.0});
     scale_ =
         std::min(kWide / box_.sizes().x(), kHigh / (box_.sizes().y() + high_ - low_));
+    wide_ = std::max(box_.sizes().x() * scale_, kLeastWide);
     front_ = kTop + box_.sizes().y() * scale_ + kBetween;
+    // The names of the heights stand beside all that is drawn.
+    names_ = std::max(kLeft + wide_ + 24, x(0) + kArrow + 22);
     bottom_ = front_ + (high_ - low_) * scale_;
   }
 
@@ -68,23 +74,29 @@ public:
     top();
     front();
     heights();
-    const double wide = kLeft + kWide + kRight, high = std::max(bottom_, last_) + 24;
+    datum(x(0), z(0), "Z"); // over the lines of the heights
+    const double wide = names_ + kRight, high = std::max(bottom_, last_) + 24;
     return Html::markup(
-        print("<svg class=\"sketch\" viewBox=\"0 0 %.0f %.0f\" role=\"img\" "
-              "aria-label=\"Stock and part from above and from the front, with the "
-              "datum, dimensions in mm\">\n",
-              wide,
-              high) +
-        "<defs><pattern id=\"hatch\" width=\"7\" height=\"7\" "
-        "patternTransform=\"rotate(45)\" patternUnits=\"userSpaceOnUse\"><path "
-        "class=\"hatch\" d=\"M0 0V7\"/></pattern>" +
-        print("<clipPath id=\"sketch-top\"><rect x=\"%.1f\" y=\"%.1f\" "
-              "width=\"%.1f\" height=\"%.1f\"/></clipPath></defs>\n",
-              x(box_.min().x()),
-              y(box_.max().y()),
-              box_.sizes().x() * scale_,
-              box_.sizes().y() * scale_) +
-        svg_ + "</svg>\n");
+               print("<svg class=\"sketch\" viewBox=\"0 0 %.0f %.0f\" role=\"img\" "
+                     "style=\"--wide:%.0fpx;--cut:%.3f\" "
+                     "aria-label=\"Stock and part from above and from the front, with "
+                     "the "
+                     "datum, dimensions in mm\">\n",
+                     wide,
+                     high,
+                     1.13 * wide,
+                     wide / std::max(names_, dimensions_)) +
+               "<defs><pattern id=\"hatch\" width=\"7\" height=\"7\" "
+               "patternTransform=\"rotate(45)\" patternUnits=\"userSpaceOnUse\"><path "
+               "class=\"hatch\" d=\"M0 0V7\"/></pattern>" +
+               print("<clipPath id=\"sketch-top\"><rect x=\"%.1f\" y=\"%.1f\" "
+                     "width=\"%.1f\" height=\"%.1f\"/></clipPath></defs>\n",
+                     x(box_.min().x()),
+                     y(box_.max().y()),
+                     box_.sizes().x() * scale_,
+                     box_.sizes().y() * scale_) +
+               svg_ + "</svg>\n") +
+           element("ul class=\"heights\"", list_);
   }
 
 private:
@@ -92,7 +104,7 @@ private:
   double y(double mm) const { return kTop + (box_.max().y() - mm) * scale_; }
   double z(double mm) const { return front_ + (high_ - mm) * scale_; }
   /// Narrow stock stands in the middle.
-  double shift() const { return 0.5 * (kWide - box_.sizes().x() * scale_); }
+  double shift() const { return 0.5 * (wide_ - box_.sizes().x() * scale_); }
 
   void rectangle(const char* kind, double x0, double y0, double x1, double y1)
   {
@@ -174,7 +186,7 @@ private:
   void top()
   {
     const Stock& s = scene_.stock;
-    svg_ += text(x(s.min.x()), kTop - 42, "from above", "class=\"view\"");
+    svg_ += text(x(box_.min().x()), kTop - kHeading, "from above", "class=\"view\"");
     rectangle("stock", x(s.min.x()), y(s.max.y()), x(s.max.x()), y(s.min.y()));
     part(above_,
          x(scene_.part_min.x()),
@@ -200,12 +212,14 @@ private:
              y(box_.max().y()) - 16,
              y(0),
              length(std::abs(s.min.x())));
-    if (std::abs(s.min.y()) > least)
+    if (std::abs(s.min.y()) > least) {
+      dimensions_ = x(box_.max().x()) + 90;
       upright(y(std::max(0.0, s.min.y())),
               y(std::min(0.0, s.min.y())),
               x(box_.max().x()) + 22,
               x(0),
               length(std::abs(s.min.y())));
+    }
   }
 
   void zones()
@@ -259,7 +273,8 @@ private:
   void front()
   {
     const Stock& s = scene_.stock;
-    svg_ += text(x(s.min.x()), front_ - 36, "from the front", "class=\"view\"");
+    svg_ +=
+        text(x(box_.min().x()), front_ - kHeading, "from the front", "class=\"view\"");
     rectangle("stock", x(s.min.x()), z(s.max.z()), x(s.max.x()), z(s.min.z()));
     part(before_,
          x(scene_.part_min.x()),
@@ -268,7 +283,6 @@ private:
          z(scene_.part_min.z()));
     rectangle("edge", x(s.min.x()), z(s.max.z()), x(s.max.x()), z(s.min.z()));
     zonesBefore();
-    datum(x(0), z(0), "Z");
     upright(z(s.max.z()),
             z(s.min.z()),
             x(box_.min().x()) - 30,
@@ -293,7 +307,7 @@ private:
       return a.z > b.z;
     });
     const double from = x(box_.min().x()) - 6, to = x(box_.max().x()) + 10;
-    const double at = kLeft + kWide + 24;
+    const double at = names_;
     // They stand apart, about where they belong.
     std::vector<double> places;
     for (const auto& mark : marks)
@@ -302,7 +316,15 @@ private:
     for (std::size_t i = 0; i < marks.size(); ++i) {
       svg_ += line(marks[i].kind, from, z(marks[i].z), to, z(marks[i].z));
       svg_ += line("leader", to, z(marks[i].z), at - 5, places[i]);
-      svg_ += text(at, places[i] + 4.5, height(marks[i].z) + "  " + marks[i].name);
+      svg_ += text(at,
+                   places[i] + 4.5,
+                   height(marks[i].z) + "  " + marks[i].name,
+                   "class=\"height\"");
+      list_ += element(
+          "li",
+          Html::markup(std::string("<svg viewBox=\"0 0 40 8\" aria-hidden=\"true\">") +
+                       line(marks[i].kind, 0, 4, 40, 4) + "</svg>") +
+              height(marks[i].z) + "  " + marks[i].name);
     }
     last_ = places.back() + 8;
   }
@@ -310,7 +332,7 @@ private:
   /// The mark of the datum, with its axes to the right and up.
   void datum(double px, double py, const char* up)
   {
-    constexpr double r = 7, axis = 46;
+    constexpr double r = 7, axis = kArrow;
     svg_ += "<g class=\"datum\">";
     svg_ += print("<path d=\"M%.1f %.1fh%.1fm-6 -4l6 4l-6 4M%.1f %.1fv%.1fm-4 6l4 "
                   "-6l4 6\"/>",
@@ -338,7 +360,7 @@ private:
                   r,
                   r);
     svg_ +=
-        text(px + axis - 4, py - 7, "X") + text(px + 6, py - axis + 8, up) + "</g>\n";
+        text(px + axis + 5, py + 5, "X") + text(px + 6, py - axis + 8, up) + "</g>\n";
   }
 
   /// A dimension from x0 to x1 at the height y, of things at the height @p things.
@@ -378,7 +400,10 @@ private:
   const SetupScene& scene_;
   Eigen::AlignedBox2d box_;
   double low_ = 0, high_ = 0, scale_ = 1, front_ = 0, bottom_ = 0, last_ = 0;
+  double wide_ = kWide;
+  double names_ = 0, dimensions_ = 0; ///< where the heights' names begin, these end
   std::string svg_, above_, before_;
+  Html list_; ///< of the heights, where there is no room for them in the drawing
 };
 
 } // namespace

@@ -62,8 +62,8 @@ struct HtmlColumn {
   std::string unit; ///< under the head
 };
 
-/// @brief A table whose first column names its rows. It can be scrolled sideways where
-/// the page is narrow.
+/// @brief A table whose first column names its rows. Where the page is narrow, the
+/// cells of a row stand under each other, each with the head of its column.
 Html table(const std::string& caption,
            const std::vector<HtmlColumn>& columns,
            const std::vector<std::vector<Html>>& rows);

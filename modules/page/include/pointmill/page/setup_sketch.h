@@ -22,7 +22,8 @@ struct SetupScene {
 };
 
 /// @brief Stock, part, datum, zones and heights from above and, under that, from the
-/// front, at one scale and with dimensions, as SVG.
+/// front, at one scale and with dimensions, as SVG; then a list of the heights, which
+/// is seen where the page is too narrow for their names in the drawing.
 Html setupSketch(const SetupScene& scene);
 
 } // namespace pointmill
