@@ -27,6 +27,14 @@ Json quantiles(const Quantiles& q)
           {"max", number(q.max)}};
 }
 
+Json deviation(const Quantiles& q)
+{
+  Json json = quantiles(q);
+  json["p1"] = number(q.p1);
+  json["p5"] = number(q.p5);
+  return json;
+}
+
 Json scanJson(const MillJob& job, const std::string& name)
 {
   const ScanFigures& scan = job.scanFigures();
@@ -177,9 +185,9 @@ Json json::verification(const Judgement& judgement, double tolerance)
           {"scan_gouge_max_mm", v.raw_gouge},
           {"scan_gouge_line", v.raw_gouge_line},
           {"scan_gouged_points", v.raw_gouged_points},
-          {"scan_deviation_mm", quantiles(v.raw_deviation)},
+          {"scan_deviation_mm", deviation(v.raw_deviation)},
           {"residual_mm", quantiles(v.residual)},
-          {"deviation_mm", quantiles(v.deviation)},
+          {"deviation_mm", deviation(v.deviation)},
           {"rapids_in_stock", v.rapids_in_stock},
           {"rapid_depth_mm", v.rapid_depth},
           {"unreachable_points", v.unreachable_points},

@@ -233,11 +233,22 @@ std::string summaryOf(const MillJob& job, const std::string& directory)
             v.residual.p50,
             v.residual.p95,
             v.residual.max);
+  const bool noisy = job.surfaceFigures().farthest > 0;
+  const Quantiles& off = noisy ? v.raw_deviation : v.deviation;
   text +=
-      print("deviation  p50 %+.4f p95 %+.4f p99 %+.4f mm from the points in reach\n",
-            v.deviation.p50,
-            v.deviation.p95,
-            v.deviation.p99);
+      print("deviation  p5 %+.4f p50 %+.4f p95 %+.4f mm, %.1f %% within %.3g mm, of "
+            "the points in reach: vertical and with the scan's noise, while the gouge "
+            "is along the tool",
+            off.p5,
+            off.p50,
+            off.p95,
+            100 * v.shareWithin(o.tolerance),
+            o.tolerance);
+  if (noisy)
+    text += print("; of the points without noise p5 %+.4f p95 %+.4f mm",
+                  v.deviation.p5,
+                  v.deviation.p95);
+  text += "\n";
   text +=
       print("not cut    %.1f %% of the points: out of reach, or covered by others\n",
             percent(v.unreachable_points, v.points));
