@@ -174,6 +174,8 @@ Json json::verification(const Judgement& judgement, double tolerance)
     if (f.tool > 0)
       finding["tool"] = f.tool;
     findings.push_back(finding);
+    if (f.limit > 0)
+      finding["limit"] = f.limit;
   }
   const double points = static_cast<double>(std::max<std::size_t>(1, v.points));
   return {{"passed", v.good()},

@@ -331,12 +331,14 @@ Plan planOf(const Section& section, const Rect& place)
 {
   Plan plan;
   plan.place = place;
-  // Wide, or as high as two thirds of that.
-  plan.scale =
-      std::min(place.width / section.width(), place.height / (section.width() * 2 / 3));
+  plan.scale = std::min(place.width / section.width(),
+                        place.height / (section.width() * Section::kHeightShare));
   const Eigen::Vector2d half(0.5 * place.width / plan.scale,
                              0.5 * place.height / plan.scale);
-  plan.corner = section.place() + Eigen::Vector2d(-half.x(), half.y());
+  // In the middle, but as much higher as what is below it needs.
+  constexpr double below = 2 * 0.98 - 1; // of the half
+  const double up = std::max(0.0, section.drop() - below * half.y());
+  plan.corner = section.place() + Eigen::Vector2d(-half.x(), half.y() - up);
   return plan;
 }
 
@@ -369,6 +371,11 @@ void drawSection(Canvas& canvas,
     drawText(canvas, left, y, row, text);
     y += unit * 5 / 2;
   }
+  if (!section.dimension() && !mark.note.empty())
+    for (const auto& row : wrapText(mark.note, room, 2, text)) {
+      drawText(canvas, left, y, row, text);
+      y += unit * 5 / 2;
+    }
   char reach[48];
   std::snprintf(reach, sizeof reach, ", points within %.2g mm", section.reach());
   drawText(canvas,
