@@ -134,6 +134,7 @@ Json operationJson(const PlannedOperation& planned, const Verification& verifica
                {"radial_engagement_mm",
                 {{"mean", f.cut.mean_radial}, {"max", f.cut.max_radial}}},
                {"axial_engagement_mm", f.cut.max_axial},
+               {"axial_depth_mm", planned.axial_depth},
                {"volume_removed_mm3", f.cut.volume},
                {"volume_left_mm3", planned.volume_left},
                {"minutes", f.minutes},

@@ -132,7 +132,7 @@ std::string operationsTable(const MillJob& job)
                   f.retracts + static_cast<std::size_t>(o.report.get("link_lifts")),
                   f.cut.mean_radial,
                   f.cut.max_radial,
-                  f.cut.max_axial,
+                  o.axial_depth,
                   f.cut.volume / 1000,
                   o.volume_left / 1000,
                   f.minutes,
