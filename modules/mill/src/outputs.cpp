@@ -88,6 +88,21 @@ std::vector<double> shownLevels(const MillJob& job)
   return shown;
 }
 
+/// Whether the gaps' picture has something to show: a few cells between points are in
+/// every scan.
+bool hasGaps(const MillJob& job)
+{
+  if (!job.gaps().empty())
+    return true;
+  constexpr double substantial = 0.01; // of the part's cells
+  std::size_t between = 0, part = 0;
+  for (const auto& cell : job.map()) {
+    between += cell.getState() == CellState::Between;
+    part += cell.getState() != CellState::Empty;
+  }
+  return double(between) > substantial * double(part);
+}
+
 /// The levels that the roughing cuts, from the top down; those to show without one.
 std::vector<double> cutLevels(const MillJob& job)
 {
@@ -230,7 +245,7 @@ void MillJob::write(const std::string& directory)
     writeLevels(in("levels.png"), *map_, cutLevels(*this));
     names.push_back("heights.png");
     writeHeights(in("heights.png"), *map_, "heights of the part");
-    if (!gaps_.empty()) {
+    if (hasGaps(*this)) {
       names.push_back("gaps.png");
       writeGaps(in("gaps.png"), *map_, gaps_);
     }

@@ -174,9 +174,9 @@ Json json::verification(const Judgement& judgement, double tolerance)
       finding["at"] = vector(f.place);
     if (f.tool > 0)
       finding["tool"] = f.tool;
-    findings.push_back(finding);
     if (f.limit > 0)
       finding["limit"] = f.limit;
+    findings.push_back(finding);
   }
   const double points = static_cast<double>(std::max<std::size_t>(1, v.points));
   return {{"passed", v.good()},

@@ -255,7 +255,7 @@ std::string summaryOf(const MillJob& job, const std::string& directory)
   for (const auto& line : leftLines(job))
     text += line;
   text +=
-      print("not seen   %zu gaps of the scan, %.1f mm2, and %.1f mm2 between points: "
+      print("not seen   %zu gaps of the scan, %.0f mm2, and %.0f mm2 between points: "
             "%s\n",
             static_cast<std::size_t>(
                 std::count_if(job.gaps().begin(), job.gaps().end(), notScanned)),
@@ -265,7 +265,7 @@ std::string summaryOf(const MillJob& job, const std::string& directory)
                                                   : "bridged and protected");
   for (const auto& gap : job.gaps())
     if (!notScanned(gap))
-      text += print("hole       %.1f mm2 at X%.2f Y%.2f, milled to Z%.3f\n",
+      text += print("hole       %.0f mm2 at X%.2f Y%.2f, milled to Z%.3f\n",
                     gap.area,
                     gap.centre.x(),
                     gap.centre.y(),
