@@ -204,6 +204,7 @@ TEST(FindingPicture, TheEndOfTheToolIsInSight)
     lowest = std::max(lowest, lowestToolRow(picture, x));
   EXPECT_GT(lowest, kPlotTop + (kPlotBottom - kPlotTop) / 2);
   EXPECT_LT(lowest, kPlotBottom - 5);
+  EXPECT_LT(lowestToolRow(picture, kPlotRight - 3), lowest); // beyond, it rises again
 }
 
 TEST(FindingPicture, OneCauseGetsOneSection)

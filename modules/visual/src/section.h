@@ -57,6 +57,8 @@ public:
   const std::optional<Dimension>& dimension() const { return dimension_; }
   /// @brief The finding's place, u and z.
   Eigen::Vector2d place() const { return at(*mark_.place); }
+  /// @brief The tool's tip, where there is one, u and z.
+  Eigen::Vector2d tipPlace() const { return at(*tip_); }
   /// @brief Width of what is worth showing [mm].
   double width() const { return width_; }
   /// @brief How far below the place it must be seen as well [mm].

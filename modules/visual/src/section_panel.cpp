@@ -300,10 +300,14 @@ private:
   void drawScale()
   {
     const TextStyle style{2 * unit_, false, kInk};
-    const int room = 18 * unit_, x = place().x + 2 * unit_;
-    const int y = place().bottom() - 2 * unit_ - unit_ / 2;
-    // Its size is known once it is drawn; over its ground it is drawn again.
-    const int used = drawScaleBar(canvas_, x, y, room, plan_.scale, style);
+    const int room = 18 * unit_, y = place().bottom() - 2 * unit_ - unit_ / 2;
+    // Its size is known once it is drawn, here out of sight.
+    const int used = drawScaleBar(
+        canvas_, place().x, place().bottom() + 4 * unit_, room, plan_.scale, style);
+    // To the right, where it would hide the end of the tool.
+    const bool hides = section_.tip() && plan_.px(section_.tipPlace()).x() <
+                                             static_cast<float>(place().x + room);
+    const int x = hides ? place().right() - used - 2 * unit_ : place().x + 2 * unit_;
     canvas_.fillRound({x - unit_, y - unit_ * 3 / 2, used + 2 * unit_, 3 * unit_},
                       0.6f * static_cast<float>(unit_),
                       kPage);
