@@ -128,6 +128,11 @@ TEST_F(Check, TheJobsOwnProgramIsJudgedAsTheJobDid)
   EXPECT_EQ(a.deviation.max, b.deviation.max);
   EXPECT_EQ(a.findings.size(), b.findings.size());
   EXPECT_EQ(a.axial_depth, b.axial_depth);
+  // And its summary tells the same depths.
+  ASSERT_EQ(job_->operations().size(), b.sections.size());
+  for (std::size_t i = 0; i < b.sections.size(); ++i)
+    EXPECT_EQ(job_->operations()[i].axial_depth, b.sections[i].axial_depth)
+        << b.sections[i].name;
   EXPECT_EQ(job_->judgement().time.total.total(), again.time.total.total());
 }
 

@@ -114,6 +114,9 @@ TEST_F(Checks, ALayerThickerThanTheLimitIsAWarning)
   ASSERT_EQ(codes(result), "axial_depth ");
   EXPECT_EQ(result.findings[0].severity, Severity::Warning);
   EXPECT_NEAR(result.findings[0].worst, 2, 1e-5);
+  EXPECT_EQ(result.findings[0].limit, 1.9);
+  EXPECT_NE(result.findings[0].text.find("2.000 mm, limit 1.9 mm"), std::string::npos)
+      << result.findings[0].text;
   EXPECT_TRUE(result.good());
   EXPECT_EQ(codes(verifier.verify(rows(-2, 4, rows(-1)).end())), "");
 }

@@ -120,6 +120,14 @@ TEST(Measures, ResidualsAreThoseOfBruteForce)
   EXPECT_NEAR(double(result.unreachable_points),
               double(unreachable),
               0.02 * double(points.size()));
+  ASSERT_EQ(result.in_reach.size(), points.size());
+  EXPECT_EQ(std::count(result.in_reach.begin(), result.in_reach.end(), false),
+            std::ptrdiff_t(result.unreachable_points));
+  std::size_t within = 0;
+  for (const double d : deviation)
+    within += std::abs(d) <= 0.3;
+  EXPECT_NEAR(result.shareWithin(0.3), double(within) / double(deviation.size()), 0.03);
+  EXPECT_NEAR(result.deviation.p5, quantile(deviation, 0.05), 0.05);
   EXPECT_NEAR(result.residual.p50, quantile(residual, 0.5), 0.02);
   EXPECT_NEAR(result.residual.p95, quantile(residual, 0.95), 0.05);
   EXPECT_NEAR(result.residual.p99, quantile(residual, 0.99), 0.1);

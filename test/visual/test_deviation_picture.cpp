@@ -15,7 +15,9 @@ namespace {
 using Points = pcl::PointCloud<pcl::PointXYZI>;
 
 const Pixel kTooDeep{0x8E, 0x0B, 0x22}, kLeft{0x0A, 0x3A, 0x70},
-    kNone{0xF7, 0xF4, 0xEC}, kNeverCut{0x9D, 0xA5, 0xAD}, kWhite{255, 255, 255};
+    kNone{0xF7, 0xF4, 0xEC}, kNeverCut{0x9D, 0xA5, 0xAD}, kOutOfReach{0xCD, 0xD3, 0xD8},
+    kWhite{255, 255, 255};
+constexpr int kFoot = 284; // px, under the map
 
 /// 60 x 40 mm of points, about 0.5 mm apart; deviation(x, y).
 template <typename Deviation>
@@ -39,14 +41,17 @@ Points plate(const Deviation& deviation)
 /// Its map with places in mm.
 class Drawn {
 public:
-  Drawn(const TemporaryFolder& folder, const Points& points, double tolerance)
-      : picture_((writeDeviation(folder.file("d.png"), points, tolerance),
+  Drawn(const TemporaryFolder& folder,
+        const Points& points,
+        double tolerance,
+        const std::vector<bool>& in_reach = {})
+      : picture_((writeDeviation(folder.file("d.png"), points, tolerance, in_reach),
                   folder.file("d.png")))
   {
     // The map is all that is coloured between title and foot.
     left_ = picture_.width();
     top_ = picture_.height();
-    for (int y = 84; y < picture_.height() - 200; ++y)
+    for (int y = 84; y < picture_.height() - kFoot; ++y)
       for (int x = 0; x < picture_.width(); ++x)
         if (picture_.at(x, y) != kWhite) {
           left_ = std::min(left_, x);
@@ -115,6 +120,37 @@ TEST(DeviationPicture, TheFarthestOffIsSeenInACell)
   EXPECT_GT(drawn.at(30, 30)[0], 240); // a tool came, if not to all
 }
 
+TEST(DeviationPicture, WhatIsCoveredHidesNothing)
+{
+  const TemporaryFolder folder;
+  Points points = plate([](double, double) { return 0.0; });
+  std::vector<bool> in_reach;
+  for (const auto& p : points)
+    in_reach.push_back(p.x < 40);
+  const std::size_t upper = points.size();
+  for (std::size_t i = 0; i < upper; ++i) { // the underside of a closed part
+    points.push_back(points[i]);
+    points.back().z = -20.f;
+    points.back().intensity = 20.f;
+    in_reach.push_back(false);
+  }
+  const Drawn all(folder, points, 0.05), drawn(folder, points, 0.05, in_reach);
+  EXPECT_EQ(all.at(20, 20), kLeft);
+  EXPECT_EQ(drawn.at(20, 20), kNone);
+  EXPECT_EQ(drawn.at(50, 20), kOutOfReach);
+  // Nor is it in the histogram.
+  const auto foot = [&](const Picture& p) {
+    return p.count(p.width() / 2,
+                   p.width(),
+                   p.height() - kFoot,
+                   p.height() - 144,
+                   [](const Pixel& at) { return at[2] > at[0] + 60; });
+  };
+  const Drawn good(folder, plate([](double, double) { return 0.0; }), 0.05);
+  EXPECT_EQ(foot(drawn.picture()), foot(good.picture()));
+  EXPECT_GT(foot(all.picture()), foot(good.picture()) + 100);
+}
+
 TEST(DeviationPicture, TheHistogramShowsTheShares)
 {
   const TemporaryFolder folder;
@@ -125,7 +161,7 @@ TEST(DeviationPicture, TheHistogramShowsTheShares)
         0.05);
     const Picture& p = drawn.picture();
     return p.count(
-        0, p.width(), p.height() - 200, p.height() - 60, [&](const Pixel& at) {
+        0, p.width(), p.height() - kFoot, p.height() - 144, [&](const Pixel& at) {
           return std::abs(at[0] - colour[0]) + std::abs(at[1] - colour[1]) +
                      std::abs(at[2] - colour[2]) <
                  60;
@@ -175,6 +211,7 @@ TEST(DeviationPicture, RefusesWhatItCannotShow)
   const Points points = plate([](double, double) { return 0.0; });
   EXPECT_THROW(writeDeviation(path, Points(), 0.05), DataError);
   EXPECT_THROW(writeDeviation(path, points, 0), ParameterError);
+  EXPECT_THROW(writeDeviation(path, points, 0.05, {true, false}), DataError);
   EXPECT_THROW(writeDeviation(path, points, std::nan("")), ParameterError);
   EXPECT_THROW(writeDeviation(folder.file("no/such.png"), points, 0.05), DataError);
   Points row;

@@ -165,6 +165,70 @@ TEST(FindingPicture, TheDimensionIsAsLongAsTheDepth)
   }
 }
 
+TEST(FindingPicture, WhatIsNoDepthAtThePlaceGetsNoDimension)
+{
+  // The tool stands on what it left, under a layer that is gone.
+  const TemporaryFolder folder;
+  const auto dark = [&](double worst, const std::string& note) {
+    Plate plate;
+    plate.scene.part = nullptr;
+    plate.scene.milled = &plate.milled;
+    for (auto& cell : plate.milled)
+      cell.z = -0.2f;
+    FindingMark& mark = plate.sink(Tool::flat(1, 10), 0, {0, 0});
+    mark.code = "axial_depth";
+    mark.worst = worst;
+    mark.note = note;
+    return plate.draw(folder).count(
+        kPlotLeft, kPlotRight, kPlotTop + 60, kPlotBottom - 60, isDark);
+  };
+  const int shown = dark(0.2, ""), none = dark(4.956, "");
+  EXPECT_GT(shown, none + 300);
+  EXPECT_GT(none, 50); // the place's ring
+  // The words that are said instead take a line over the plot.
+  EXPECT_NEAR(dark(4.956, "the layer is gone"), none, 30);
+}
+
+TEST(FindingPicture, TheEndOfTheToolIsInSight)
+{
+  // A small gouge high on the flank of a ball.
+  const TemporaryFolder folder;
+  Plate plate;
+  plate.scene.part = nullptr;
+  const double r = 3, away = r * std::sin(1.2), up = r * (1 - std::cos(1.2));
+  FindingMark& mark = plate.sink(Tool::ball(1, 2 * r), up, {away - 0.02, 0});
+  mark.worst = 0.02;
+  const Picture picture = plate.draw(folder);
+  int lowest = -1;
+  for (int x = kPlotLeft; x < kPlotRight; ++x)
+    lowest = std::max(lowest, lowestToolRow(picture, x));
+  EXPECT_GT(lowest, kPlotTop + (kPlotBottom - kPlotTop) / 2);
+  EXPECT_LT(lowest, kPlotBottom - 5);
+  EXPECT_LT(lowestToolRow(picture, kPlotRight - 3), lowest); // beyond, it rises again
+}
+
+TEST(FindingPicture, OneCauseGetsOneSection)
+{
+  const TemporaryFolder folder;
+  const auto height = [&](const char* first, const char* second, double apart) {
+    Plate plate;
+    for (const char* code : {first, second, "rapid_in_part", "keep_out"}) {
+      FindingMark& mark = plate.sink(Tool::ball(1, 6), 0.5, {0, 0});
+      plate.scene.tools.resize(1);
+      mark.code = code;
+      mark.place->x() += code == second ? apart : code == first ? 0 : 10;
+      mark.where = "line " + std::to_string(plate.scene.findings.size() / 3);
+      mark.tip->x() = mark.place->x();
+    }
+    plate.scene.findings[0].where = "line 7"; // points beside each other, on two lines
+    return plate.draw(folder).height();
+  };
+  // Two sections and the list fill two rows, three take another for the list.
+  EXPECT_EQ(height("gouge", "scan_gouge", 0.3), height("gouge", "gouge", 0));
+  EXPECT_GT(height("gouge", "scan_gouge", 4), height("gouge", "scan_gouge", 0.3));
+  EXPECT_GT(height("gouge", "gap", 0.3), height("gouge", "scan_gouge", 0.3));
+}
+
 TEST(FindingPicture, PointsInTheToolAreRed)
 {
   const TemporaryFolder folder;

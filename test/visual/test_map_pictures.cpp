@@ -115,6 +115,32 @@ TEST(HeightsPicture, HighIsPaleAndNothingIsGrey)
   EXPECT_GT(below(high), 10);
 }
 
+TEST(HeightsPicture, TheColoursEndAtTheLowestAndHighestButForStrays)
+{
+  const TemporaryFolder folder;
+  const auto colours = [&](double lowest) {
+    CellCloud map;
+    map.width = map.height = 100;
+    for (int r = 0; r < 100; ++r)
+      for (int c = 0; c < 100; ++c) {
+        PointCell cell;
+        cell.x = static_cast<float>(c);
+        cell.y = static_cast<float>(r);
+        cell.z = c < 50 ? -20.f : 0.f;
+        map.points.push_back(cell);
+      }
+    for (int c = 20; c < 30; ++c) // a thousandth of the cells
+      map.points[std::size_t(5000 + c)].z = static_cast<float>(lowest);
+    writeHeights(folder.file("h.png"), map);
+    const Picture picture(folder.file("h.png"));
+    return picture.at(36 + 14 * 10 + 7, 84 + 14 * 10 + 7);
+  };
+  const Pixel darkest{0x21, 0x46, 0x6E};
+  EXPECT_EQ(colours(-20), darkest);
+  EXPECT_NE(colours(-21.5), darkest); // the groove is
+  EXPECT_EQ(colours(-500), darkest);  // a stray takes no colour
+}
+
 TEST(HeightsPicture, SlopesAreLitFromTheUpperLeft)
 {
   const TemporaryFolder folder;
@@ -218,6 +244,35 @@ TEST(GapsPicture, EachGapIsHatchedAndOutlinedAfterItsTreatment)
   };
   EXPECT_GT(below(kBlue), 500);
   EXPECT_GT(below(kYellow), 300);
+}
+
+TEST(GapsPicture, WhatIsBridgedBetweenPointsIsShownWithoutAnyGapToo)
+{
+  const TemporaryFolder folder;
+  auto map = mapOf([](int, int r) { return r < 5 ? std::nan("") : 0.0; });
+  for (int r = 5; r < 10; ++r)
+    for (int c = 0; c < 20; ++c)
+      map.at(c, r).setState(c < 10 ? CellState::Between : CellState::Occupied);
+  writeGaps(folder.file("gaps.png"), map, {});
+  const Picture picture(folder.file("gaps.png"));
+  const Pixel ground{0xF6, 0xE3, 0xEE}, ink{0xD9, 0xA5, 0xC4};
+  EXPECT_GT(share(picture, 3, 7, ground), 60);
+  EXPECT_GT(share(picture, 3, 7, ink), 15);
+  EXPECT_EQ(share(picture, 13, 7, ground), 0);
+  const auto below = [&](const Pixel& p) {
+    return picture.count(
+        0, picture.width(), kTop + 700 + 60, picture.height(), [&](const Pixel& q) {
+          return p == q;
+        });
+  };
+  EXPECT_GT(below(ground), 300);
+  EXPECT_GT(below(ink), 80);
+  // A line more says what white is.
+  for (auto& cell : map)
+    if (cell.getState() == CellState::Empty)
+      cell.setState(CellState::Occupied);
+  writeGaps(folder.file("all.png"), map, {});
+  EXPECT_EQ(picture.height(), Picture(folder.file("all.png")).height() + 32);
 }
 
 TEST(GapsPicture, OfManyTheLargestAreListed)

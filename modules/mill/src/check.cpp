@@ -27,6 +27,19 @@ std::string whereOf(const Finding& f, const Program& program)
   return f.line > 0 ? program.where(f.line) : "";
 }
 
+/// Of what is not measured in the stock that the picture shows.
+std::string noteOf(const Finding& f)
+{
+  if (f.code == "axial_depth" || f.code == "flute_length")
+    return print("the stock is as the program leaves it: the layer of %.3f mm taken "
+                 "here is gone",
+                 f.worst);
+  for (const char* code : {"rapid_in_stock", "plunge", "pressed_in", "shank", "holder"})
+    if (f.code == code)
+      return "the stock is as the program leaves it, not as the tool found it";
+  return "";
+}
+
 bool hasPlace(const Finding& f)
 {
   return f.place.allFinite() && !f.place.isZero();
@@ -178,6 +191,7 @@ FindingPicture::FindingPicture(const std::string& title,
     FindingMark mark;
     mark.code = f.code;
     mark.text = f.text;
+    mark.note = noteOf(f);
     mark.warning = f.severity == Severity::Warning;
     mark.where = whereOf(f, judgement.program);
     mark.tool = f.tool;

@@ -227,6 +227,7 @@ void MillJob::verify()
   judgement_ = judge(std::move(files), criteria_);
   criteria_.left_p90 = verification().residual.p90;
   takeTimes();
+  takeDepths();
 }
 
 void MillJob::takeTimes()
@@ -245,6 +246,25 @@ void MillJob::takeTimes()
     return;
   for (std::size_t i = 0; i < operations_.size(); ++i)
     operations_[i].figures.minutes = seconds[i] / 60;
+}
+
+void MillJob::takeDepths()
+{
+  const Verification& v = verification();
+  const auto& sections = v.sections;
+  std::vector<double> depths;
+  for (std::size_t i = 0; i < sections.size(); ++i) {
+    if (i == 0 || sections[i].name != sections[i - 1].name ||
+        sections[i].tool != sections[i - 1].tool)
+      depths.push_back(0);
+    depths.back() = std::max(depths.back(), sections[i].axial_depth);
+  }
+  for (std::size_t i = 0; i < operations_.size(); ++i) {
+    const auto tool = v.axial_depth.find(operations_[i].operation.tool.number);
+    operations_[i].axial_depth = depths.size() == operations_.size() ? depths[i]
+                                 : tool != v.axial_depth.end()       ? tool->second
+                                                                     : 0.0;
+  }
 }
 
 void MillJob::plan(const std::string& scan)

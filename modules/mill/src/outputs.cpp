@@ -88,6 +88,21 @@ std::vector<double> shownLevels(const MillJob& job)
   return shown;
 }
 
+/// Whether the gaps' picture has something to show: a few cells between points are in
+/// every scan.
+bool hasGaps(const MillJob& job)
+{
+  if (!job.gaps().empty())
+    return true;
+  constexpr double substantial = 0.01; // of the part's cells
+  std::size_t between = 0, part = 0;
+  for (const auto& cell : job.map()) {
+    between += cell.getState() == CellState::Between;
+    part += cell.getState() != CellState::Empty;
+  }
+  return double(between) > substantial * double(part);
+}
+
 /// The levels that the roughing cuts, from the top down; those to show without one.
 std::vector<double> cutLevels(const MillJob& job)
 {
@@ -123,19 +138,20 @@ PreviewScene sceneOf(const MillJob& job, const std::string& title)
                                 &planned.operation.path,
                                 planned.colour});
   const Verification& v = job.verification();
-  const double worst = std::max(v.deviation.p95, 0.0);
-  scene.figures = {text("%.0f minutes of milling", job.minutes()),
-                   text("deepest gouge %.4f mm", v.gouge) +
-                       (job.surfaceFigures().farthest > 0
-                            ? text(", as scanned %.3f mm", v.raw_gouge)
-                            : std::string()),
-                   text("95 %% of what the tool reaches within +%.3f mm", worst),
-                   std::to_string(v.rapids_in_stock) + " rapids through stock",
-                   text("not scanned, protected: %.0f mm2", job.gapArea()) +
-                       text(" and %.0f mm2 between points", job.bridgedArea()),
-                   text("out of reach or covered: %.1f %% of the points",
-                        100.0 * static_cast<double>(v.unreachable_points) /
-                            static_cast<double>(std::max<std::size_t>(1, v.points)))};
+  const Quantiles& off =
+      job.surfaceFigures().farthest > 0 ? v.raw_deviation : v.deviation;
+  scene.figures = {
+      text("%.0f minutes of milling", job.minutes()),
+      text("deepest gouge %.4f mm", v.gouge) +
+          (job.surfaceFigures().farthest > 0 ? text(", as scanned %.3f mm", v.raw_gouge)
+                                             : std::string()),
+      text("deviation in reach p5 %+.3f", off.p5) + text(" .. p95 %+.3f mm", off.p95),
+      std::to_string(v.rapids_in_stock) + " rapids through stock",
+      text("not scanned, protected: %.0f mm\xC2\xB2", job.gapArea()) +
+          text(" and %.0f mm\xC2\xB2 between points", job.bridgedArea()),
+      text("out of reach or covered: %.1f %% of the points",
+           100.0 * static_cast<double>(v.unreachable_points) /
+               static_cast<double>(std::max<std::size_t>(1, v.points)))};
   return scene;
 }
 
@@ -229,7 +245,7 @@ void MillJob::write(const std::string& directory)
     writeLevels(in("levels.png"), *map_, cutLevels(*this));
     names.push_back("heights.png");
     writeHeights(in("heights.png"), *map_, "heights of the part");
-    if (!gaps_.empty()) {
+    if (hasGaps(*this)) {
       names.push_back("gaps.png");
       writeGaps(in("gaps.png"), *map_, gaps_);
     }
@@ -243,7 +259,10 @@ void MillJob::write(const std::string& directory)
       writePreview(in("preview.png"), sceneOf(*this, scan_name_));
     }
     names.push_back("deviation.png");
-    writeDeviation(in("deviation.png"), verification().deviations, options_.tolerance);
+    writeDeviation(in("deviation.png"),
+                   verification().deviations,
+                   options_.tolerance,
+                   verification().in_reach);
     if (!verification().findings.empty()) {
       names.push_back("findings.png");
       writeFindings(in("findings.png"), scan_name_, judgement_, criteria_);
@@ -296,7 +315,10 @@ void MillJob::writeRefusal(const std::string& directory)
     return (staging.path() / name).string();
   };
   writePreview(in("preview.png"), sceneOf(*this, scan_name_));
-  writeDeviation(in("deviation.png"), verification().deviations, options_.tolerance);
+  writeDeviation(in("deviation.png"),
+                 verification().deviations,
+                 options_.tolerance,
+                 verification().in_reach);
   writeJobPage(in("refused.html"),
                *this,
                scan_name_,

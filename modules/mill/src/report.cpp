@@ -27,6 +27,14 @@ Json quantiles(const Quantiles& q)
           {"max", number(q.max)}};
 }
 
+Json deviation(const Quantiles& q)
+{
+  Json json = quantiles(q);
+  json["p1"] = number(q.p1);
+  json["p5"] = number(q.p5);
+  return json;
+}
+
 Json scanJson(const MillJob& job, const std::string& name)
 {
   const ScanFigures& scan = job.scanFigures();
@@ -126,6 +134,7 @@ Json operationJson(const PlannedOperation& planned, const Verification& verifica
                {"radial_engagement_mm",
                 {{"mean", f.cut.mean_radial}, {"max", f.cut.max_radial}}},
                {"axial_engagement_mm", f.cut.max_axial},
+               {"axial_depth_mm", planned.axial_depth},
                {"volume_removed_mm3", f.cut.volume},
                {"volume_left_mm3", planned.volume_left},
                {"minutes", f.minutes},
@@ -165,6 +174,8 @@ Json json::verification(const Judgement& judgement, double tolerance)
       finding["at"] = vector(f.place);
     if (f.tool > 0)
       finding["tool"] = f.tool;
+    if (f.limit > 0)
+      finding["limit"] = f.limit;
     findings.push_back(finding);
   }
   const double points = static_cast<double>(std::max<std::size_t>(1, v.points));
@@ -177,9 +188,9 @@ Json json::verification(const Judgement& judgement, double tolerance)
           {"scan_gouge_max_mm", v.raw_gouge},
           {"scan_gouge_line", v.raw_gouge_line},
           {"scan_gouged_points", v.raw_gouged_points},
-          {"scan_deviation_mm", quantiles(v.raw_deviation)},
+          {"scan_deviation_mm", deviation(v.raw_deviation)},
           {"residual_mm", quantiles(v.residual)},
-          {"deviation_mm", quantiles(v.deviation)},
+          {"deviation_mm", deviation(v.deviation)},
           {"rapids_in_stock", v.rapids_in_stock},
           {"rapid_depth_mm", v.rapid_depth},
           {"unreachable_points", v.unreachable_points},

@@ -132,7 +132,7 @@ std::string operationsTable(const MillJob& job)
                   f.retracts + static_cast<std::size_t>(o.report.get("link_lifts")),
                   f.cut.mean_radial,
                   f.cut.max_radial,
-                  f.cut.max_axial,
+                  o.axial_depth,
                   f.cut.volume / 1000,
                   o.volume_left / 1000,
                   f.minutes,
@@ -233,18 +233,29 @@ std::string summaryOf(const MillJob& job, const std::string& directory)
             v.residual.p50,
             v.residual.p95,
             v.residual.max);
+  const bool noisy = job.surfaceFigures().farthest > 0;
+  const Quantiles& off = noisy ? v.raw_deviation : v.deviation;
   text +=
-      print("deviation  p50 %+.4f p95 %+.4f p99 %+.4f mm from the points in reach\n",
-            v.deviation.p50,
-            v.deviation.p95,
-            v.deviation.p99);
+      print("deviation  p5 %+.4f p50 %+.4f p95 %+.4f mm, %.1f %% within %.3g mm, of "
+            "the points in reach: vertical and with the scan's noise, while the gouge "
+            "is along the tool",
+            off.p5,
+            off.p50,
+            off.p95,
+            100 * v.shareWithin(o.tolerance),
+            o.tolerance);
+  if (noisy)
+    text += print("; of the points without noise p5 %+.4f p95 %+.4f mm",
+                  v.deviation.p5,
+                  v.deviation.p95);
+  text += "\n";
   text +=
       print("not cut    %.1f %% of the points: out of reach, or covered by others\n",
             percent(v.unreachable_points, v.points));
   for (const auto& line : leftLines(job))
     text += line;
   text +=
-      print("not seen   %zu gaps of the scan, %.1f mm2, and %.1f mm2 between points: "
+      print("not seen   %zu gaps of the scan, %.0f mm2, and %.0f mm2 between points: "
             "%s\n",
             static_cast<std::size_t>(
                 std::count_if(job.gaps().begin(), job.gaps().end(), notScanned)),
@@ -254,7 +265,7 @@ std::string summaryOf(const MillJob& job, const std::string& directory)
                                                   : "bridged and protected");
   for (const auto& gap : job.gaps())
     if (!notScanned(gap))
-      text += print("hole       %.1f mm2 at X%.2f Y%.2f, milled to Z%.3f\n",
+      text += print("hole       %.0f mm2 at X%.2f Y%.2f, milled to Z%.3f\n",
                     gap.area,
                     gap.centre.x(),
                     gap.centre.y(),

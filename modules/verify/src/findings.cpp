@@ -65,6 +65,15 @@ const char* things(const std::string& code)
   return code == "gouge" || code == "scan_gouge" || code == "gap" ? "points" : "times";
 }
 
+/// A limit as it was given, "4.5".
+std::string shortly(double limit)
+{
+  std::ostringstream text;
+  text.imbue(std::locale::classic());
+  text << limit;
+  return text.str();
+}
+
 std::string textOf(const FindingCode& code, const Finding& finding)
 {
   std::ostringstream text;
@@ -82,6 +91,8 @@ std::string textOf(const FindingCode& code, const Finding& finding)
       next() << std::fixed << finding.worst << " " << code.unit;
     else
       next() << "without limit";
+    if (finding.limit > 0)
+      next() << "limit " << shortly(finding.limit) << " " << code.unit;
   }
   if (finding.count > 1)
     next() << finding.count << " " << things(code.code);
@@ -97,16 +108,18 @@ void Findings::add(const char* code,
                    const Eigen::Vector3d& place,
                    std::size_t line,
                    int tool,
-                   std::size_t count)
+                   std::size_t count,
+                   double limit)
 {
   auto found = by_code_.find(code);
   if (found == by_code_.end())
     found =
-        by_code_.emplace(code, Finding{code, "", worst, place, line, tool, 0}).first;
+        by_code_.emplace(code, Finding{code, "", worst, place, limit, line, tool, 0})
+            .first;
   Finding& finding = found->second;
   const std::size_t all = finding.count + count;
   if (worst > finding.worst)
-    finding = {code, "", worst, place, line, tool};
+    finding = {code, "", worst, place, limit, line, tool};
   finding.count = all;
 }
 

@@ -29,6 +29,8 @@ Quantiles quantiles(std::vector<float>& values)
     std::nth_element(values.begin(), values.begin() + std::ptrdiff_t(k), values.end());
     return double(values[k]);
   };
+  q.p1 = at(0.01);
+  q.p5 = at(0.05);
   q.p50 = at(0.50);
   q.p90 = at(0.90);
   q.p95 = at(0.95);
@@ -58,6 +60,10 @@ struct Heights {
         perfect[i] = std::min(perfect[i], std::max(free[i], left[i]));
   }
   bool touched(std::size_t i) const { return std::isfinite(left[i]); }
+  bool inReach(std::size_t i, double reach) const
+  {
+    return best(i) - z(i) <= reach && !keptOut(i);
+  }
 };
 
 /// Surface minus point, over the points that a perfect pass reaches to `reach`.
@@ -65,8 +71,7 @@ Quantiles deviations(const Heights& heights, double reach)
 {
   std::vector<float> off;
   for (std::size_t i = 0; i < heights.points.size(); ++i)
-    if (heights.touched(i) && heights.best(i) - heights.z(i) <= reach &&
-        !heights.keptOut(i))
+    if (heights.touched(i) && heights.inReach(i, reach))
       off.push_back(static_cast<float>(heights.left[i] - heights.z(i)));
   return quantiles(off);
 }
@@ -83,6 +88,14 @@ pcl::PointCloud<pcl::PointXYZI> deviationCloud(const Heights& heights)
     cloud.push_back(point);
   }
   return cloud;
+}
+
+std::vector<bool> inReach(const Heights& heights, double reach)
+{
+  std::vector<bool> in_reach(heights.points.size());
+  for (std::size_t i = 0; i < in_reach.size(); ++i)
+    in_reach[i] = heights.inReach(i, reach);
+  return in_reach;
 }
 
 void note(const char* code, const Gouges& gouges, Findings& findings)
@@ -154,6 +167,7 @@ void judgePoints(const PointIndex& surface,
     const double all = std::numeric_limits<double>::infinity();
     result.residual = {all, all, all, all, all};
     result.untouched_points = surface.size();
+    result.in_reach.assign(result.deviations.size(), true);
     return;
   }
   const double floor = std::max(surface.min().z(), limits.floor);
@@ -166,13 +180,18 @@ void judgePoints(const PointIndex& surface,
     heights.takeWhatWasDone();
   }
   judgeRest(heights, result);
-  if (!raw)
+  if (!raw) {
+    result.in_reach = inReach(heights, kReach);
     return;
+  }
 
   // Noise puts points below the surface that the tool reaches all the same.
   const double reach = kReach + limits.noise;
   measured.perfect = perfect.heightsOver(*raw, reach);
   result.raw_deviation = deviations(measured, reach);
+  result.in_reach = inReach(measured, reach);
+  result.unreachable_points = static_cast<std::size_t>(
+      std::count(result.in_reach.begin(), result.in_reach.end(), false));
 }
 
 } // namespace pointmill

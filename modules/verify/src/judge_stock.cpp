@@ -78,10 +78,17 @@ void judgeLayers(const StockEvents& events,
     double& thickest = result.axial_depth[number];
     thickest = std::max(thickest, layer.thickness);
     if (m.tool->flute_length > 0 && layer.thickness > m.tool->flute_length)
-      findings.add("flute_length", layer.thickness, m.b, m.line, number);
+      findings.add("flute_length",
+                   layer.thickness,
+                   m.b,
+                   m.line,
+                   number,
+                   1,
+                   m.tool->flute_length);
     const auto limit = limits.find(number);
     if (limit != limits.end() && layer.thickness > limit->second)
-      findings.add("axial_depth", layer.thickness, m.b, m.line, number);
+      findings.add(
+          "axial_depth", layer.thickness, m.b, m.line, number, 1, limit->second);
   }
 }
 

@@ -16,6 +16,19 @@ namespace {
 constexpr double kPointsShare = 0.7, kStockBegins = 0.75;
 } // namespace
 
+double Verification::shareWithin(double tolerance) const
+{
+  std::size_t all = 0, within = 0;
+  for (std::size_t i = 0; i < deviations.size(); ++i) {
+    const double off = std::abs(double(deviations[i].intensity));
+    if (!in_reach[i] || std::isnan(off))
+      continue;
+    ++all;
+    within += off <= tolerance;
+  }
+  return all > 0 ? double(within) / double(all) : 0.0;
+}
+
 Verification ProgramVerifier::verify(const Program& program) const
 {
   validateParameters(*this, "ProgramVerifier");

@@ -22,8 +22,17 @@ using namespace visual;
 using Points = pcl::PointCloud<pcl::PointXYZI>;
 
 constexpr int kFinest = 1400; ///< cells along the longer side, at most
-constexpr int kFoot = 200;    ///< px
+constexpr int kFoot = 284;    ///< px
+constexpr int kScale = 170;   ///< px, of the histogram and its bar
 constexpr int kBins = 60;     ///< of the histogram
+
+/// What is shown: the points, and which of them a tool can reach.
+struct Judged {
+  bool reached(std::size_t i) const { return in_reach.empty() || in_reach[i]; }
+
+  const Points& points;
+  const std::vector<bool>& in_reach;
+};
 
 bool hasPlace(const pcl::PointXYZI& p)
 {
@@ -67,12 +76,13 @@ void eachPoint(const Points& points,
   const auto index = [&](double value, double low, std::uint32_t count) {
     return std::min(static_cast<std::uint32_t>((value - low) / cell), count - 1);
   };
-  for (const auto& p : points) {
+  for (std::size_t i = 0; i < points.size(); ++i) {
     checkInterrupted();
+    const auto& p = points[i];
     if (hasPlace(p))
       body(map.at(index(p.x, box.min().x(), map.width),
                   index(p.y, box.min().y(), map.height)),
-           p);
+           i);
   }
 }
 
@@ -83,7 +93,7 @@ double cellFor(const Points& points, const Eigen::AlignedBox3d& box)
   const double longer = box.sizes().head<2>().maxCoeff(), edge = longer / coarse;
   CellCloud map = mapOver(box, edge);
   std::size_t count = 0, covered = 0;
-  eachPoint(points, box, edge, map, [&](PointCell& cell, const pcl::PointXYZI&) {
+  eachPoint(points, box, edge, map, [&](PointCell& cell, std::size_t) {
     ++count;
     covered += cell.count++ == 0;
   });
@@ -91,15 +101,21 @@ double cellFor(const Points& points, const Eigen::AlignedBox3d& box)
   return std::max(1.5 * std::sqrt(area / static_cast<double>(count)), longer / kFinest);
 }
 
-/// The deviation that is farthest off in each cell, NaN where no tool came; `count`
-/// tells these from cells without a point.
-CellCloud mapOf(const Points& points, const Eigen::AlignedBox3d& box, double edge)
+/// The deviation in reach that is farthest off in each cell, NaN where no tool came;
+/// `count` tells these from cells without a point, the state Gap those that only hold
+/// points out of reach.
+CellCloud mapOf(const Judged& judged, const Eigen::AlignedBox3d& box, double edge)
 {
   CellCloud map = mapOver(box, edge);
-  eachPoint(points, box, edge, map, [](PointCell& cell, const pcl::PointXYZI& p) {
-    ++cell.count;
-    if (!std::isnan(p.intensity) && !(std::abs(p.intensity) <= std::abs(cell.z)))
-      cell.z = p.intensity;
+  eachPoint(judged.points, box, edge, map, [&](PointCell& cell, std::size_t i) {
+    if (cell.count++ == 0)
+      cell.setState(CellState::Gap);
+    if (!judged.reached(i))
+      return;
+    cell.setState(CellState::Occupied);
+    const float off = judged.points[i].intensity;
+    if (!std::isnan(off) && !(std::abs(off) <= std::abs(cell.z)))
+      cell.z = off;
   });
   return map;
 }
@@ -113,12 +129,13 @@ CellCloud closed(const CellCloud& map)
     for (std::uint32_t c = 1; c + 1 < map.width; ++c) {
       if (map.at(c, r).count > 0)
         continue;
-      int full = 0, known = 0;
+      int full = 0, known = 0, reached = 0;
       double sum = 0;
       for (int j = -1; j <= 1; ++j)
         for (int i = -1; i <= 1; ++i) {
           const PointCell& near = map.at(c + i, r + j);
           full += near.count > 0;
+          reached += near.getState() == CellState::Occupied;
           if (near.count > 0 && std::isfinite(near.z)) {
             sum += near.z;
             ++known;
@@ -126,6 +143,7 @@ CellCloud closed(const CellCloud& map)
         }
       if (full >= 5) {
         out.at(c, r).count = 1;
+        out.at(c, r).setState(reached > 0 ? CellState::Occupied : CellState::Gap);
         out.at(c, r).z = known ? static_cast<float>(sum / known) : out.at(c, r).z;
       }
     }
@@ -133,36 +151,45 @@ CellCloud closed(const CellCloud& map)
 }
 
 struct Figures {
-  explicit Figures(const Points& points, double tolerance)
+  Figures(const Judged& judged, double tolerance)
   {
     checkInterrupted();
-    std::vector<float> sizes;
-    for (const auto& p : points) {
+    for (std::size_t i = 0; i < judged.points.size(); ++i) {
+      const auto& p = judged.points[i];
       if (!hasPlace(p))
         continue;
       ++all;
-      if (!std::isfinite(p.intensity))
+      hidden += !judged.reached(i);
+      if (!judged.reached(i) || !std::isfinite(p.intensity))
         continue;
-      sizes.push_back(std::abs(p.intensity));
-      low = std::min<double>(low, p.intensity);
-      high = std::max<double>(high, p.intensity);
+      values.push_back(p.intensity);
       kept += std::abs(static_cast<double>(p.intensity)) <= tolerance;
     }
-    cut = sizes.size();
-    if (cut == 0)
+    std::sort(values.begin(), values.end());
+    std::vector<float> sizes;
+    for (const float value : values)
+      sizes.push_back(std::abs(value));
+    if (sizes.empty())
       return;
-    const std::size_t nearly_all = (cut - 1) * 99 / 100;
+    const std::size_t nearly_all = (sizes.size() - 1) * 99 / 100;
     std::nth_element(sizes.begin(), sizes.begin() + nearly_all, sizes.end());
     most = sizes[nearly_all];
+  }
+  std::size_t cut() const { return values.size(); }
+  /// What @p percent of the deviations are below [mm].
+  double below(std::size_t percent) const
+  {
+    return values[std::min(cut() - 1, cut() * percent / 100)];
   }
   static std::string share(std::size_t part, std::size_t of)
   {
     return text("%.1f %%", 100.0 * static_cast<double>(part) / static_cast<double>(of));
   }
 
-  std::size_t all = 0, cut = 0, kept = 0;
-  double low = std::numeric_limits<double>::infinity(), high = -low;
-  double most = 0; ///< that 99 of 100 are at most off [mm]
+  std::size_t all = 0, kept = 0;
+  std::size_t hidden = 0;    ///< out of reach
+  std::vector<float> values; ///< in reach and cut, ascending [mm]
+  double most = 0;           ///< that 99 of 100 are at most off [mm]
 };
 
 /// A round length that is at least @p length.
@@ -177,7 +204,7 @@ double roundUp(double length)
 /// Histogram and bar of the colours, in a rectangle.
 void drawScale(Canvas& canvas,
                const Rect& r,
-               const Points& points,
+               const std::vector<float>& values,
                const DeviationScale& scale)
 {
   checkInterrupted();
@@ -185,9 +212,8 @@ void drawScale(Canvas& canvas,
   const auto share = [&](double deviation) { // 0 .. 1 along the bar
     return std::clamp(0.5 + 0.5 * deviation / scale.range, 0.0, 1.0);
   };
-  for (const auto& p : points)
-    if (hasPlace(p) && std::isfinite(p.intensity))
-      ++bins[std::min(kBins - 1, static_cast<int>(share(p.intensity) * kBins))];
+  for (const float value : values)
+    ++bins[std::min(kBins - 1, static_cast<int>(share(value) * kBins))];
   const std::size_t highest = *std::max_element(bins.begin(), bins.end());
   constexpr int bar = 18, room = 34; // px, of the bar and of the numbers under it
   const int top = r.bottom() - room - bar;
@@ -231,29 +257,34 @@ double rangeOf(const Figures& figures, double tolerance)
 double deviationRange(const pcl::PointCloud<pcl::PointXYZI>& deviation,
                       double tolerance)
 {
-  return rangeOf(Figures(deviation, tolerance), tolerance);
+  return rangeOf(Figures({deviation, {}}, tolerance), tolerance);
 }
 
 void writeDeviation(const std::string& path,
                     const pcl::PointCloud<pcl::PointXYZI>& deviation,
                     double tolerance,
+                    const std::vector<bool>& in_reach,
                     const std::string& title)
 {
   checkRange("picture of the deviation", "tolerance", tolerance, "mm", {1e-4, 10});
   const Eigen::AlignedBox3d box = boxOf(deviation);
   if (box.isEmpty() || !(box.sizes().head<2>().minCoeff() > 0))
     throw DataError("the deviation has no points that span an area");
-  const Figures figures(deviation, tolerance);
+  if (!in_reach.empty() && in_reach.size() != deviation.size())
+    throw DataError("it is not known of each deviation whether it is in reach");
+  const Judged judged{deviation, in_reach};
+  const Figures figures(judged, tolerance);
   const DeviationScale scale{tolerance, rangeOf(figures, tolerance)};
-  const CellCloud map = closed(mapOf(deviation, box, cellFor(deviation, box)));
+  const CellCloud map = closed(mapOf(judged, box, cellFor(deviation, box)));
   const Grid grid(map, "the map of the deviation");
   CellSheet sheet(
       grid,
       title,
       [&](const PointCell& cell) {
-        return cell.count == 0      ? kPage
-               : std::isnan(cell.z) ? kNeverCut
-                                    : scale.at(cell.z);
+        return cell.count == 0                     ? kPage
+               : cell.getState() == CellState::Gap ? kOutOfReach
+               : std::isnan(cell.z)                ? kNeverCut
+                                                   : scale.at(cell.z);
       },
       kFoot);
 
@@ -261,29 +292,37 @@ void writeDeviation(const std::string& path,
   const TextStyle style = CellSheet::text();
   const int x = sheet.left(), first = sheet.footMiddle();
   constexpr int line = 32; // px
-  if (figures.cut > 0) {
-    drawText(canvas,
-             x,
-             first + line,
-             Figures::share(figures.kept, figures.cut) +
-                 text(" within %.3g mm", tolerance),
-             style);
-    drawText(canvas,
-             x,
-             first + 2 * line,
-             text("from %+.3f", figures.low) + text(" to %+.3f mm", figures.high),
-             style);
+  int row = 0;
+  if (figures.cut() > 0) {
+    const auto between = [&](const char* which, std::size_t low, std::size_t high) {
+      return which + text(" %+.3f", figures.below(low)) +
+             text(" to %+.3f mm", figures.below(high));
+    };
+    for (const auto& words :
+         {"in reach: " + Figures::share(figures.kept, figures.cut()) +
+              text(" within %.3g mm", tolerance),
+          between("p5 to p95:", 5, 95),
+          between("p1 to p99:", 1, 99)})
+      drawText(canvas, x, first + ++row * line, words, style);
   }
-  canvas.fill({x, first + 3 * line - 9, 18, 18}, kNeverCut);
-  drawText(canvas,
-           x + 28,
-           first + 3 * line,
-           "no tool came: " + Figures::share(figures.all - figures.cut, figures.all),
-           style);
+  const auto counted = [&](const Rgb& colour, const char* what, std::size_t count) {
+    const int y = first + ++row * line;
+    canvas.fill({x, y - 9, 18, 18}, colour);
+    drawText(canvas, x + 28, y, what + Figures::share(count, figures.all), style);
+  };
+  counted(kNeverCut, "no tool came: ", figures.all - figures.hidden - figures.cut());
+  counted(kOutOfReach, "out of reach or covered: ", figures.hidden);
+  if (figures.cut() > 0)
+    drawText(canvas,
+             x,
+             first + ++row * line,
+             "vertical distances, with the scan's noise in them; gouges are measured "
+             "along the tool",
+             {17, false, kFaintInk});
   constexpr int width = 440, end = 40; // px; half of the last number reaches over it
   drawScale(canvas,
-            {sheet.right() - width - end, first - 16, width, kFoot - 30},
-            deviation,
+            {sheet.right() - width - end, first - 16, width, kScale},
+            figures.values,
             scale);
   writePng(path, canvas);
 }

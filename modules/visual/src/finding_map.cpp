@@ -187,7 +187,7 @@ void drawHeights(Canvas& canvas, int x, int y, const Light& light, int unit)
   drawText(canvas,
            x + width + unit,
            y,
-           "height " + number(light.low) + " to " + number(light.high) + " mm",
+           "height " + lowText(light) + " to " + highText(light),
            style);
 }
 

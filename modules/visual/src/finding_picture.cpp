@@ -28,10 +28,31 @@ bool hasPlace(const FindingMark& mark)
   return mark.place && mark.place->allFinite();
 }
 
+/// Whether two findings are of one cause at one place, so that one section shows both.
+bool isSame(const FindingMark& a, const FindingMark& b, const std::vector<Tool>& tools)
+{
+  if (a.tool != b.tool)
+    return false;
+  constexpr double same = 1e-3, share = 0.25; // mm, of the tool's diameter
+  const double apart = (*a.place - *b.place).norm();
+  if (apart < same)
+    return true;
+  // The points as scanned lie beside those without noise.
+  const auto isGouge = [](const FindingMark& m) {
+    return m.code == "gouge" || m.code == "scan_gouge";
+  };
+  if (!(isGouge(a) && isGouge(b)) && (a.where.empty() || a.where != b.where))
+    return false;
+  return std::any_of(tools.begin(), tools.end(), [&](const Tool& tool) {
+    return tool.number == a.tool && apart < share * tool.diameter;
+  });
+}
+
 /// The findings that get a section, in their order: errors rather than warnings, then
 /// the worst, each place once.
-std::vector<std::size_t> worstOf(const std::vector<FindingMark>& findings)
+std::vector<std::size_t> worstOf(const FindingScene& scene)
 {
+  const std::vector<FindingMark>& findings = scene.findings;
   std::vector<std::size_t> order;
   for (std::size_t i = 0; i < findings.size(); ++i)
     if (hasPlace(findings[i]))
@@ -42,10 +63,8 @@ std::vector<std::size_t> worstOf(const std::vector<FindingMark>& findings)
   });
   std::vector<std::size_t> chosen;
   for (const std::size_t i : order) {
-    constexpr double same = 1e-3; // mm
     const bool known = std::any_of(chosen.begin(), chosen.end(), [&](std::size_t k) {
-      return (*findings[k].place - *findings[i].place).norm() < same &&
-             findings[k].tool == findings[i].tool;
+      return isSame(findings[k], findings[i], scene.tools);
     });
     if (!known && chosen.size() < kSections)
       chosen.push_back(i);
@@ -128,7 +147,7 @@ void writeFindings(const std::string& path, const FindingScene& scene, int width
   std::optional<Grid> milled;
   if (scene.milled)
     milled.emplace(*scene.milled, "the milled part");
-  const std::vector<std::size_t> worst = worstOf(scene.findings);
+  const std::vector<std::size_t> worst = worstOf(scene);
   std::vector<Section> sections;
   for (const std::size_t i : worst)
     sections.emplace_back(scene, milled, scene.findings[i]);

@@ -21,6 +21,8 @@ using namespace visual;
 constexpr std::size_t kMostListed = 24;
 constexpr int kLine = 32, kText = 74, kBetween = 40; // px, of the list
 
+constexpr Rgb kBetweenGround = hex(0xF6E3EE), kBetweenInk = hex(0xD9A5C4);
+
 struct Look {
   Hatch hatch;
   Rgb ground, ink;
@@ -38,9 +40,16 @@ const Look& lookOf(const GapRegion& gap)
                                             : milled;
 }
 
+/// As precise as the cells that it is counted in.
+std::string areaText(double area)
+{
+  return number(area < 10 ? std::round(10 * area) / 10 : std::round(area)) +
+         " mm\xC2\xB2";
+}
+
 std::string describe(const GapRegion& gap)
 {
-  return number(gap.area) + " mm2 " +
+  return areaText(gap.area) + " " +
          (gap.kind == GapKind::ThroughHole ? "through hole" : "not scanned") + ", " +
          lookOf(gap).name;
 }
@@ -156,7 +165,12 @@ void writeGaps(const std::string& path,
                const std::vector<GapRegion>& gaps)
 {
   const Grid grid(map, "the map of the gaps");
-  if (gaps.empty())
+  const auto isOf = [](CellState state) {
+    return [state](const PointCell& cell) { return cell.getState() == state; };
+  };
+  const auto between = std::count_if(map.begin(), map.end(), isOf(CellState::Between));
+  const bool outside = std::any_of(map.begin(), map.end(), isOf(CellState::Empty));
+  if (gaps.empty() && between == 0)
     throw DataError("there are no gaps to show");
   Light light;
   heightRange(map, light);
@@ -165,7 +179,7 @@ void writeGaps(const std::string& path,
     area += gap.area;
   const std::size_t listed = std::min(gaps.size(), kMostListed);
   const TextStyle text = CellSheet::text();
-  int column = 0; // px
+  int column = kText; // px
   for (std::size_t i = 0; i < listed; ++i)
     column = std::max(column, kText + textWidth(describe(gaps[i]), text) + kBetween);
   const CellSheet probe(grid, "", [](const PointCell&) { return kPage; });
@@ -176,9 +190,18 @@ void writeGaps(const std::string& path,
       grid,
       (gaps.size() == 1 ? std::string("1 gap")
                         : std::to_string(gaps.size()) + " gaps") +
-          " of the scan, " + number(area) + " mm2",
+          " of the scan, " + areaText(area),
       [&](const PointCell& cell) { return pale(cell, light); },
-      72 + (lines + more) * kLine + 16);
+      72 + (lines + more + (between > 0) + outside) * kLine + 16);
+  if (between > 0)
+    for (int r = 0; r < grid.rows(); ++r)
+      for (int c = 0; c < grid.columns(); ++c)
+        if (grid.cell(c, r).getState() == CellState::Between)
+          fillHatched(sheet.canvas(),
+                      sheet.place(c, r),
+                      Hatch::Falling,
+                      kBetweenGround,
+                      kBetweenInk);
   for (const GapRegion& gap : gaps)
     drawRegion(sheet, grid, gap);
   drawNumbers(sheet, grid, gaps, listed);
@@ -200,6 +223,24 @@ void writeGaps(const std::string& path,
              top + lines * kLine,
              "and " + std::to_string(gaps.size() - listed) + " smaller ones",
              text);
+  int row = lines + more;
+  const auto key = [&](const std::string& words, const auto& paint) {
+    const int y = top + row++ * kLine;
+    const Rect box{sheet.left() + 32, y - 11, 32, 22};
+    canvas.fill({box.x - 1, box.y - 1, box.width + 2, box.height + 2}, kFaintInk);
+    paint(box);
+    drawText(canvas, sheet.left() + kText, y, words, text);
+  };
+  if (between > 0) {
+    const double cell = std::abs(grid.stepX() * grid.stepY());
+    key("bridged between points, " + areaText(double(between) * cell),
+        [&](const Rect& box) {
+          fillHatched(canvas, box, Hatch::Falling, kBetweenGround, kBetweenInk);
+        });
+  }
+  if (outside)
+    key("outside the part's outline, cut as free",
+        [&](const Rect& box) { canvas.fill(box, kPage); });
   writePng(path, canvas);
 }
 

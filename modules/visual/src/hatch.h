@@ -7,7 +7,7 @@
 namespace pointmill::visual {
 
 /// @brief Patterns that tell areas apart without a colour.
-enum class Hatch { Rising, Crossed, Dots };
+enum class Hatch { Rising, Crossed, Dots, Falling };
 
 /// @brief Whether a pixel belongs to the lines of a pattern; it runs on from area to
 /// area.
@@ -20,6 +20,8 @@ inline bool isHatched(Hatch hatch, int x, int y)
     return rising;
   case Hatch::Crossed:
     return rising || falling;
+  case Hatch::Falling:
+    return falling;
   case Hatch::Dots:
     return x % step < 3 && y % step < 3;
   }

@@ -71,9 +71,9 @@ void writeHeights(const std::string& path,
   const int foot = sheet.footMiddle();
   constexpr int width = 360, room = 50; // px; half of the outer texts is beside it
   std::vector<RampMark> marks;
-  for (const double share : {0.0, 0.5, 1.0})
-    marks.push_back(
-        {share, number(light.low + share * span) + (share == 1.0 ? " mm" : "")});
+  marks.push_back({0.0, lowText(light)});
+  marks.push_back({0.5, number(0.5 * (light.low + light.high))});
+  marks.push_back({1.0, highText(light)});
   const Rect bar{sheet.right() - width - room, foot - 10, width, 20};
   drawRamp(
       canvas, bar, [](double t) { return heightColour(float(t)); }, marks, text);

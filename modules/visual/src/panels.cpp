@@ -2,6 +2,7 @@
 // Copyright (c) 2026, the PointMill authors
 #include "panels.h"
 
+#include "cloud_extent.h"
 #include "height_field.h"
 #include "line_layer.h"
 #include "ruler.h"
@@ -213,8 +214,7 @@ Legend scanLegend(const View& view)
   if (view.scene.scan || view.map)
     legend.push_back({LegendItem::Mark::Heights,
                       kInk,
-                      "height " + number(view.light.low) + " to " +
-                          number(view.light.high) + " mm"});
+                      "height " + lowText(view.light) + " to " + highText(view.light)});
   if (view.has_gaps)
     legend.push_back({LegendItem::Mark::Hatched, kGap, "gap, not scanned: protected"});
   return legend;

@@ -17,6 +17,9 @@ constexpr double kWidest = 2.8;     ///< in radii of the tool
 constexpr double kNarrowest = 10;   ///< in spacings of the points
 constexpr double kSnap = 0.0872;    ///< sine of 5 deg: nearly along X is along X
 constexpr double kSeen = 1e-4;      ///< mm; less is no depth
+constexpr double kBesideTip = 0.1;  ///< of half the widest, seen beyond the tip
+/// A dimension this near to the finding's own length is that [mm, or share of it].
+constexpr double kAgrees = 0.003, kAgreesShare = 0.03;
 
 bool isPlace(const Eigen::Vector3d& p)
 {
@@ -177,7 +180,10 @@ void Section::findDimension()
       found.begin(), found.end(), [&](const Dimension& a, const Dimension& b) {
         return unlike(a) < unlike(b);
       });
-  if (best != found.end())
+  // Where it was no depth at the place, or in stock that is gone by now, any other
+  // length would be taken for it.
+  if (best != found.end() &&
+      unlike(*best) <= std::max(kAgrees, kAgreesShare * mark_.worst))
     dimension_ = *best;
 }
 
@@ -189,6 +195,16 @@ void Section::chooseWidth()
     const double depth = dimension_->length;
     const double narrowest = std::min(kNarrowest * spacing_, widest);
     width_ = std::max(std::clamp(depth / kDepthShare, narrowest, widest), 2.5 * depth);
+  }
+  // The end of the tool belongs to it, unless it is far below.
+  const double drop = tip_ ? mark_.place->z() - tip_->z() : 0.0;
+  const double beside =
+      tip_ ? std::abs(plane_.u(tip_->head<2>()) - place().x()) + kBesideTip * around()
+           : 0.0;
+  const double needed = std::max(drop / kDropShare / kHeightShare, 2 * beside);
+  if (drop > 0 && needed <= widest) {
+    width_ = std::max(width_, needed);
+    drop_ = drop;
   }
 }
 

@@ -57,8 +57,16 @@ public:
   const std::optional<Dimension>& dimension() const { return dimension_; }
   /// @brief The finding's place, u and z.
   Eigen::Vector2d place() const { return at(*mark_.place); }
+  /// @brief The tool's tip, where there is one, u and z.
+  Eigen::Vector2d tipPlace() const { return at(*tip_); }
   /// @brief Width of what is worth showing [mm].
   double width() const { return width_; }
+  /// @brief How far below the place it must be seen as well [mm].
+  double drop() const { return drop_; }
+  static constexpr double kHeightShare =
+      2.0 / 3; ///< of its width that is seen at least
+  /// @brief How much of the height the place may stand over what is seen below it.
+  static constexpr double kDropShare = 0.8;
   /// @brief How far from the plane the points that are shown lie [mm].
   double reach() const { return reach_; }
   /// @brief The part's points within reach and a box of u and z.
@@ -93,7 +101,7 @@ private:
   std::optional<ToolOutline> outline_;
   std::optional<Eigen::Vector3d> tip_;
   double spacing_ = 0; ///< of the part's points around the place [mm]
-  double width_ = 0, reach_ = 0;
+  double width_ = 0, reach_ = 0, drop_ = 0;
   SectionPlane plane_;
   std::optional<Dimension> dimension_;
 };

@@ -300,10 +300,14 @@ private:
   void drawScale()
   {
     const TextStyle style{2 * unit_, false, kInk};
-    const int room = 18 * unit_, x = place().x + 2 * unit_;
-    const int y = place().bottom() - 2 * unit_ - unit_ / 2;
-    // Its size is known once it is drawn; over its ground it is drawn again.
-    const int used = drawScaleBar(canvas_, x, y, room, plan_.scale, style);
+    const int room = 18 * unit_, y = place().bottom() - 2 * unit_ - unit_ / 2;
+    // Its size is known once it is drawn, here out of sight.
+    const int used = drawScaleBar(
+        canvas_, place().x, place().bottom() + 4 * unit_, room, plan_.scale, style);
+    // To the right, where it would hide the end of the tool.
+    const bool hides = section_.tip() && plan_.px(section_.tipPlace()).x() <
+                                             static_cast<float>(place().x + room);
+    const int x = hides ? place().right() - used - 2 * unit_ : place().x + 2 * unit_;
     canvas_.fillRound({x - unit_, y - unit_ * 3 / 2, used + 2 * unit_, 3 * unit_},
                       0.6f * static_cast<float>(unit_),
                       kPage);
@@ -331,12 +335,14 @@ Plan planOf(const Section& section, const Rect& place)
 {
   Plan plan;
   plan.place = place;
-  // Wide, or as high as two thirds of that.
-  plan.scale =
-      std::min(place.width / section.width(), place.height / (section.width() * 2 / 3));
+  plan.scale = std::min(place.width / section.width(),
+                        place.height / (section.width() * Section::kHeightShare));
   const Eigen::Vector2d half(0.5 * place.width / plan.scale,
                              0.5 * place.height / plan.scale);
-  plan.corner = section.place() + Eigen::Vector2d(-half.x(), half.y());
+  // In the middle, but as much higher as what is below it needs.
+  constexpr double below = 2 * 0.98 - 1; // of the half
+  const double up = std::max(0.0, section.drop() - below * half.y());
+  plan.corner = section.place() + Eigen::Vector2d(-half.x(), half.y() - up);
   return plan;
 }
 
@@ -369,6 +375,11 @@ void drawSection(Canvas& canvas,
     drawText(canvas, left, y, row, text);
     y += unit * 5 / 2;
   }
+  if (!section.dimension() && !mark.note.empty())
+    for (const auto& row : wrapText(mark.note, room, 2, text)) {
+      drawText(canvas, left, y, row, text);
+      y += unit * 5 / 2;
+    }
   char reach[48];
   std::snprintf(reach, sizeof reach, ", points within %.2g mm", section.reach());
   drawText(canvas,

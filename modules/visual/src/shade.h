@@ -10,7 +10,8 @@ namespace pointmill::visual {
 /// @brief How a frame is lit and coloured.
 struct Light {
   double low = 0.0, high = 1.0; ///< heights of the first and last colour [mm]
-  double reach = 1.0;           ///< how far a wall darkens what lies beside it [mm]
+  bool more_below = false, more_above = false; ///< some lie far beyond these
+  double reach = 1.0; ///< how far a wall darkens what lies beside it [mm]
 };
 
 /// @brief Lights the frame from the upper left, darkens corners and crevices, and draws

@@ -32,6 +32,8 @@ struct PlannedOperation {
   std::vector<ParameterValue> parameters;
   Report report;
   PathFigures figures;
+  /// Thickest layer at once, as the verification measures it in the program [mm].
+  double axial_depth = 0;
   double volume_left = 0;          ///< of stock above the part [mm3]
   std::vector<NarrowPlace> narrow; ///< where the roughing tool does not get in
   double seconds = 0;              ///< to compute
@@ -170,6 +172,7 @@ private:
   void setCriteria();
   void verify();
   void takeTimes();
+  void takeDepths();
   void estimateWork();
   void timed(const std::string& stage, const std::function<void()>& work);
 

@@ -33,6 +33,7 @@ struct Finding {
   std::string text; ///< one line for people
   double worst = 0; ///< in the unit of the code
   Eigen::Vector3d place = Eigen::Vector3d::Zero();
+  double limit = 0;      ///< that `worst` is beyond, where the text names it; else 0
   std::size_t line = 0;  ///< of the program, 0: none
   int tool = 0;          ///< 0: none, or not known
   std::size_t count = 1; ///< of the moves or points that are so

@@ -25,9 +25,10 @@
 
 namespace pointmill {
 
-/// @brief p50 .. p99 and the largest of some lengths [mm].
+/// @brief p1 .. p99 and the largest of some lengths [mm].
 struct Quantiles {
   double p50 = 0, p90 = 0, p95 = 0, p99 = 0, max = 0;
+  double p1 = 0, p5 = 0;
 };
 
 /// @brief What a section of the program does: an operation, or all by one tool where
@@ -67,7 +68,7 @@ struct Verification {
   /// @brief Cut surface minus point, over the points that the last tool can reach.
   Quantiles deviation;
   std::size_t points = 0;
-  std::size_t unreachable_points = 0; ///< under the last tool's envelope
+  std::size_t unreachable_points = 0; ///< that are not `in_reach`
   /// Of the unreachable those that it would reach if there were no keep-out zones: what
   /// stays uncut because of them, and is in no residual.
   std::size_t kept_out_points = 0;
@@ -81,6 +82,13 @@ struct Verification {
   /// program leaves over it: cut surface minus point [mm], negative where it cuts into
   /// it, NaN where no tool passes.
   pcl::PointCloud<pcl::PointXYZI> deviations;
+  /// @brief For each of them whether the last tool can reach it: the others are under
+  /// its envelope, covered by points above them or kept out of by zones. All are, where
+  /// no tool cuts.
+  std::vector<bool> in_reach;
+  /// @brief Share of the deviations of points in reach that are at most @p tolerance;
+  /// 0 where there are none.
+  double shareWithin(double tolerance) const;
 
   std::size_t rapids_in_stock = 0;
   double rapid_depth = 0;                             ///< deepest of them [mm]

@@ -7,6 +7,7 @@
 namespace pointmill::visual {
 
 constexpr Rgb kNeverCut = hex(0x9DA5AD);
+constexpr Rgb kOutOfReach = hex(0xCDD3D8);
 
 /// @brief Colours of signed deviations: red below, blue above, which people with any
 /// colour vision tell apart (after ColorBrewer's RdBu). They are pale up to the

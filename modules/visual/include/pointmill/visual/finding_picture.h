@@ -19,12 +19,13 @@ namespace pointmill {
 struct FindingMark {
   std::string code; ///< "gouge", "rapid_in_stock", ...
   std::string text; ///< one sentence for people
+  std::string note; ///< said in its section where no dimension shows `worst`
   bool warning = false;
   std::string where; ///< in the program, "line 12", as Program::where() says it
   int tool = 0;      ///< number of one of the scene's tools; 0: none
   /// The depth that it was found with, where it is a length [mm]: decides which
   /// findings get a section, and whether that shows the depth along the normal or
-  /// straight down.
+  /// straight down. What the section would measure otherwise is no dimension of it.
   double worst = 0;
   std::optional<Eigen::Vector3d> place; ///< of the part or stock; none: list only
   /// The tool's tip where it is worst. Where there is none, it stands on `move` where
@@ -49,9 +50,10 @@ struct FindingScene {
 
 /// @brief Writes a PNG that says why a program was refused, or what it was passed with:
 /// the part from above (X right, Y up) with a number at each finding's place, the list
-/// of the findings, and for the worst three that have a place a vertical section at one
-/// scale for both axes: the part's points beside it, what is left of the stock, and the
-/// tool's true outline, with the depth of the place in the tool as a dimension.
+/// of the findings, and for the worst three that have a place of their own a vertical
+/// section at one scale for both axes: the part's points beside it, what is left of the
+/// stock, and the tool's true outline, with the depth of the place in the tool as a
+/// dimension.
 ///
 /// A section runs through the tool's axis and the place, along X or Y where they allow
 /// it; without a tool along X or Y, whichever shows more relief. It is drawn in

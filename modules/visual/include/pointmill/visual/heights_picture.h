@@ -10,8 +10,8 @@ namespace pointmill {
 
 /// @brief Writes any height field as a PNG, seen from above (X right, Y up) with square
 /// cells: dark where it is low, pale where it is high, lit from the upper left, grey
-/// where it has no height. The colours begin and end where nearly all heights lie,
-/// which a bar says [mm].
+/// where it has no height. A bar says where the colours begin and end [mm]: at the
+/// lowest and highest, or, marked by < and >, where few heights are far beyond.
 /// @throws DataError where the field is empty, not organised or without any height, or
 /// @p path cannot be written (nothing is left then)
 void writeHeights(const std::string& path,
