@@ -2,6 +2,7 @@
 // Copyright (c) 2026, the PointMill authors
 #include "demo.h"
 
+#include "../options/pcl_look.h"
 #include "progress/progress_line.h"
 #include "progress/stop_on_signal.h"
 
@@ -56,22 +57,8 @@ Demo::Demo(const std::string& name, const std::string& what, const std::string& 
       ->type_name("FILE")
       ->check(endsIn(".png"))
       ->group(group);
-  app_.add_option("--ps", point_size_, "size of the points, also -ps")
-      ->type_name("PX")
-      ->check(CLI::Range(1.0, 64.0))
-      ->capture_default_str()
-      ->group(group);
-  app_.add_option("--bc", background_, "colour of the background, also -bc")
-      ->type_name("R,G,B")
-      ->delimiter(',')
-      ->expected(3)
-      ->check(CLI::Range(0.0, 255.0))
-      ->default_str("255,255,255")
-      ->group(group);
-  app_.add_option("--ax", axes_, "show the axes, so long, also -ax")
-      ->type_name("MM")
-      ->check(CLI::Range(0.0, 1e5))
-      ->group(group);
+  look_.point_size = 2;
+  declarePclLook(app_, look_, group);
 }
 
 void Demo::input(const std::string& name, std::string& path, const std::string& help)
@@ -122,24 +109,18 @@ void Demo::declare(const std::string& stage,
 
 std::vector<std::string> Demo::arguments(int argc, char** argv) const
 {
-  std::vector<std::string> given(argv + 1, argv + argc), known;
+  std::vector<std::string> known;
   for (const CLI::Option* option : app_.get_options())
     for (const std::string& name : option->get_lnames())
       known.push_back("--" + name);
-  const auto isKnown = [&](const std::string& name) {
-    return std::find(known.begin(), known.end(), name) != known.end();
-  };
-  for (std::string& word : given) {
-    if (word.size() < 3 || word[0] != '-')
-      continue;
-    if (isKnown("-" + word)) // PCL's tools spell -ps with one dash
-      word = "-" + word;
+  const auto given = withTwoDashes(argc, argv, known);
+  for (const std::string& word : given) {
     const std::string name = word.substr(0, word.find('='));
-    if (name.compare(0, 2, "--") == 0 && !isKnown(name))
+    if (name.size() > 2 && name.compare(0, 2, "--") == 0 &&
+        std::find(known.begin(), known.end(), name) == known.end())
       throw ParameterError("unknown option " + name + "; did you mean " +
                            nearestName(name, known) + "?");
   }
-  std::reverse(given.begin(), given.end()); // as CLI11 wants them
   return given;
 }
 
@@ -227,9 +208,7 @@ void Demo::show() const
   scene.title = name_ + (file.empty() ? "" : " - " + file);
   addCloud(scene, scene.title, shown_);
   ViewerLook look = lookFor(scene);
-  look.point_size = point_size_;
-  look.axes = axes_;
-  look.background = {background_[0] / 255, background_[1] / 255, background_[2] / 255};
+  takePclLook(look_, look);
   Viewer viewer(std::move(scene), look);
   constexpr int width = 1200, height = 900;
   if (!png_.empty())

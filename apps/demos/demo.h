@@ -7,6 +7,7 @@
 #include <pointmill/common/parameters.h>
 #include <pointmill/common/report.h>
 #include <pointmill/io/write_cloud.h>
+#include <pointmill/viewer/viewer.h>
 
 #include <pcl/PCLPointCloud2.h>
 #include <pcl/conversions.h>
@@ -117,8 +118,7 @@ private:
   std::map<std::string, std::vector<Setter>> setters_; // by option
   pcl::PCLPointCloud2::Ptr shown_;                     // when all is done
   bool window_ = false, quiet_ = false;
-  double point_size_ = 2.0, axes_ = 0.0;
-  std::vector<float> background_{255, 255, 255};
+  pointmill::ViewerLook look_; // pcl_viewer's options of it
 };
 
 template <typename Value>

@@ -170,3 +170,14 @@ TEST_F(DemoOptions, PitchesThatAreNoneAreRefused)
   bad(1, "--pitch", slices + "--diameter 8 --pitch 1");
   bad(1, "points above them", slices + "--pitch 0.001");
 }
+
+TEST_F(DemoOptions, PclsOptionsAreSpeltAsInItsViewer)
+{
+  const std::string align = "pm_align " POINTMILL_DATA "/dome.pcd ";
+  good(align + "--png a.png -ps 5 -bc 0,0,64 -ax 10");
+  good(align + "--png b.png -ps=5 --bc=0,0,64 -ax=10");
+  EXPECT_EQ(read("a.png"), read("b.png"));
+  for (const char* colour : {"0,0,0,0", "0,0", "0,0,256", "0;0;0", "0,0,0x"})
+    bad(1, "-bc", align + "out.pcd -bc '" + std::string(colour) + "'");
+  bad(1, "--ps", align + "out.pcd -ps 0");
+}

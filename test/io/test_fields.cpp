@@ -77,7 +77,18 @@ TEST(ReadFields, TheHeaderIsNotTrusted)
   expectRefused(whole.substr(0, whole.size() - 4), "6 points");
   expectRefused(asciiPcd("4000000000", "1 2 3 4\n"), "4000000000 points");
   expectRefused(asciiPcd("2", "1 2 3 4\n1 two 3 4\n"), "is not a row of numbers");
+  expectRefused(asciiPcd("2", "1 2 3 4\n1 2 3 four\n"), "is not a row of numbers");
   expectRefused("solid nothing\n", "is not a PCD file");
+}
+
+// PCL's conversion would leave it as it is.
+TEST(ReadFields, AFieldOfAnotherTypeIsRefused)
+{
+  const OwnFile file(
+      asciiPcd("1", "1 2 3 4\n")
+          .replace(asciiPcd("1", "").find("SIZE 4 4 4 4"), 12, "SIZE 4 4 4 8"));
+  EXPECT_THROW(readPoints<pcl::PointXYZI>(file.path), DataError);
+  EXPECT_EQ(readPoints<pcl::PointXYZ>(file.path)->front().z, 3.f);
 }
 
 TEST(ReadFields, NamesOfFieldsAreInTheHeader)

@@ -99,7 +99,7 @@ std::vector<std::string> fieldsOf(const std::string& path)
 }
 
 pcl::PCLPointCloud2::Ptr readFields(const std::string& path,
-                                    const std::vector<std::string>& needed,
+                                    const std::vector<pcl::PCLPointField>& needed,
                                     const std::string& maker)
 {
   detail::checkPcd(detail::Source(path));
@@ -107,10 +107,14 @@ pcl::PCLPointCloud2::Ptr readFields(const std::string& path,
   pcl::PCLPointCloud2::Ptr cloud(new pcl::PCLPointCloud2);
   if (pcl::io::loadPCDFile(path, *cloud) != 0)
     throw DataError(path + ": is no PCD file");
-  for (const auto& name : needed)
-    if (pcl::getFieldIndex(*cloud, name) < 0)
-      throw DataError(path + ": has no field '" + name + "'" +
-                      (maker.empty() ? "" : "; " + maker + " writes such clouds"));
+  const std::string who = maker.empty() ? "" : "; " + maker + " writes such clouds";
+  for (const auto& field : needed) {
+    const int index = pcl::getFieldIndex(*cloud, field.name);
+    if (index < 0)
+      throw DataError(path + ": has no field '" + field.name + "'" + who);
+    if (cloud->fields[static_cast<std::size_t>(index)].datatype != field.datatype)
+      throw DataError(path + ": its field '" + field.name + "' has another type" + who);
+  }
   return cloud;
 }
 

@@ -130,8 +130,12 @@ std::size_t indexOf(const std::string& name, const Header& header, const Source&
   source.fail("has no field '" + name + "'; export the scan with x, y and z");
 }
 
+constexpr const char* no_numbers = " is not a row of numbers; export the scan again";
+
+// With `all`, what stands beside x, y and z must be numbers too.
 void readAscii(const Header& header,
                const std::array<std::size_t, 3>& axes,
+               bool all,
                const Source& source,
                RawScan& scan)
 {
@@ -167,12 +171,13 @@ void readAscii(const Header& header,
         if (column[axis] == word) {
           wanted = true;
           if (!takeWholeNumber(line, point[axis]))
-            source.failAt(whole.at,
-                          quoted(whole) + " is not a row of numbers; export "
-                                          "the scan again");
+            source.failAt(whole.at, quoted(whole) + no_numbers);
         }
-      if (!wanted)
+      double number = 0;
+      if (!wanted && !all)
         skipWord(line);
+      else if (!wanted && !takeWholeNumber(line, number))
+        source.failAt(whole.at, quoted(whole) + no_numbers);
     }
     if (word < columns || !line.done())
       source.failAt(whole.at,
@@ -290,7 +295,7 @@ void checkPcd(const Source& source)
   const Count row = rowOf(header);
   if (header.data == "ascii") {
     RawScan rows; // each of them is to be one
-    readAscii(header, axes.fields, source, rows);
+    readAscii(header, axes.fields, true, source, rows);
   }
   else if (header.data == "binary")
     checkBinary(header, row, source);
@@ -307,7 +312,7 @@ RawScan readPcd(const Source& source)
   scan.format = "PCD";
   const Axes axes = axesOf(header, source);
   if (header.data == "ascii") {
-    readAscii(header, axes.fields, source, scan);
+    readAscii(header, axes.fields, false, source, scan);
     return scan;
   }
   const Count row = rowOf(header);

@@ -16,10 +16,10 @@ std::vector<std::string> fieldsOf(const std::string& path);
 
 /// @brief A PCD file with all its fields, whatever they are, and however few points.
 /// @param maker what writes such clouds, for the message
-/// @throws DataError where it is none, or lacks one of @p needed, which PCL's reader
-/// would leave undefined
+/// @throws DataError where it is none, or lacks one of @p needed, by name and type,
+/// which PCL's conversion would leave out
 pcl::PCLPointCloud2::Ptr readFields(const std::string& path,
-                                    const std::vector<std::string>& needed = {},
+                                    const std::vector<pcl::PCLPointField>& needed = {},
                                     const std::string& maker = "");
 
 /// @brief A scan with what PCL's reader finds in its file beside x, y and z; for other
@@ -34,10 +34,10 @@ template <typename PointT>
 typename pcl::PointCloud<PointT>::Ptr readPoints(const std::string& path,
                                                  const std::string& maker = "")
 {
-  std::vector<std::string> needed;
+  std::vector<pcl::PCLPointField> needed;
   for (const auto& field : pcl::getFields<PointT>())
     if (field.name != "_") // what only fills up
-      needed.push_back(field.name);
+      needed.push_back(field);
   typename pcl::PointCloud<PointT>::Ptr cloud(new pcl::PointCloud<PointT>);
   pcl::fromPCLPointCloud2(*readFields(path, needed, maker), *cloud);
   return cloud;
