@@ -100,7 +100,7 @@ void writeCheckPage(const std::string& path,
   page.body += section("view-3d", "Part and tool paths", viewPlace());
   page.body +=
       section("operations", "Sections of the program", sectionsTable(judgement, view));
-  writeDeviation(scratch.path(), v.deviations, criteria.tolerance);
+  writeDeviation(scratch.path(), v.deviations, criteria.tolerance, v.in_reach);
   page.body += section("accuracy",
                        "The milled part against the scan",
                        accuracy(judgement, criteria) +

@@ -167,7 +167,8 @@ Html accuracy(const Judgement& judgement, const Criteria& criteria)
 {
   const Verification& v = judgement.verification;
   const double tolerance = criteria.tolerance;
-  const DeviationShares shares(v.deviations, tolerance);
+  const pcl::PointCloud<pcl::PointXYZI> reached = v.deviationsInReach();
+  const DeviationShares shares(reached, tolerance);
   const bool noisy = criteria.model != nullptr;
   const auto row = [](const std::string& name, const Quantiles& q) {
     std::vector<Html> cells{name};
@@ -211,11 +212,11 @@ Html accuracy(const Judgement& judgement, const Criteria& criteria)
                  noisy ? "Milled surface minus each point, as scanned"
                        : "Milled surface minus each point") +
          element("p",
-                 print("These are vertical distances at all %zu points that a tool "
-                       "passes over, covered ones too, of %zu. On walls they are far "
-                       "more than the distance from the wall",
+                 print("These are vertical distances at the %zu points in reach, of "
+                       "%zu. On walls they are far more than the distance from the "
+                       "wall",
                        shares.cut,
-                       shares.points) +
+                       v.points) +
                      (noisy ? "; and the scan's noise is in them, as points lie to "
                               "both sides of the surface"
                             : "") +
@@ -224,8 +225,8 @@ Html accuracy(const Judgement& judgement, const Criteria& criteria)
                      print("%.4f mm here, %.4f mm would pass.",
                            v.gouge,
                            criteria.gougeLimit())) +
-         element("div class=\"sketch-room\"", deviationChart(v.deviations, tolerance)) +
-         table("Points that a tool passes over",
+         element("div class=\"sketch-room\"", deviationChart(reached, tolerance)) +
+         table("Points in reach",
                {{"", false, ""}, {"points", true, ""}, {"share", true, ""}},
                counts);
 }

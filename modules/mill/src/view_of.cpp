@@ -14,7 +14,8 @@ ViewScene viewOf(const Judgement& judgement, const Criteria& criteria)
   scene.stock = criteria.stock;
   scene.clearance = std::max(criteria.stock.top(), criteria.keep_out.highestTop());
   scene.milled = &judgement.verification.milled;
-  scene.deviation = &judgement.verification.deviations;
+  scene.deviation = std::make_shared<pcl::PointCloud<pcl::PointXYZI>>(
+      judgement.verification.deviationsInReach());
   scene.tolerance = criteria.tolerance;
   scene.keep_out = &criteria.keep_out;
   scene.tools = criteria.tools;

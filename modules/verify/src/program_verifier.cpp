@@ -16,6 +16,15 @@ namespace {
 constexpr double kPointsShare = 0.7, kStockBegins = 0.75;
 } // namespace
 
+pcl::PointCloud<pcl::PointXYZI> Verification::deviationsInReach() const
+{
+  pcl::PointCloud<pcl::PointXYZI> reached;
+  for (std::size_t i = 0; i < deviations.size(); ++i)
+    if (in_reach[i])
+      reached.push_back(deviations[i]);
+  return reached;
+}
+
 double Verification::shareWithin(double tolerance) const
 {
   std::size_t all = 0, within = 0;

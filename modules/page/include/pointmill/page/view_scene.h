@@ -11,6 +11,7 @@
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -33,7 +34,7 @@ struct ViewScene {
   const CellCloud* part = nullptr;   ///< height field of the scan, organised
   const CellCloud* milled = nullptr; ///< the same after the program
   /// Signed, in the points' intensity; see Verification::deviations.
-  const pcl::PointCloud<pcl::PointXYZI>* deviation = nullptr;
+  std::shared_ptr<const pcl::PointCloud<pcl::PointXYZI>> deviation;
   double tolerance = 0.02; ///< of the deviations
   const KeepOut* keep_out = nullptr;
   std::vector<Tool> tools;

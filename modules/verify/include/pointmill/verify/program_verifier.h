@@ -86,6 +86,8 @@ struct Verification {
   /// its envelope, covered by points above them or kept out of by zones. All are, where
   /// no tool cuts.
   std::vector<bool> in_reach;
+  /// @brief The deviations of the points in reach alone.
+  pcl::PointCloud<pcl::PointXYZI> deviationsInReach() const;
   /// @brief Share of the deviations of points in reach that are at most @p tolerance;
   /// 0 where there are none.
   double shareWithin(double tolerance) const;
