@@ -8,6 +8,8 @@
 #include "progress/stop_on_signal.h"
 #include "viewer_options.h"
 
+#include "../options/pcl_look.h"
+
 #include <pointmill/common/error.h>
 #include <pointmill/common/version.h>
 #include <pointmill/io/read_fields.h>
@@ -93,7 +95,7 @@ int main(int argc, char** argv)
   ViewerOptions options;
   declare(app, options);
   try {
-    auto words = asLongOptions(argc, argv);
+    auto words = withTwoDashes(argc, argv, {"--ps", "--bc", "--ax"});
     app.parse(words);
     run(options);
   }

@@ -2,6 +2,7 @@
 // Copyright (c) 2026, the PointMill authors
 #include "viewer_options.h"
 
+#include "../options/pcl_look.h"
 #include "../pointmill/option.h"
 
 #include <pointmill/common/error.h>
@@ -49,21 +50,6 @@ void setSize(ViewerOptions& options, const std::string& text)
       options.width > 8192 || options.height > 8192)
     throw CLI::ValidationError("--size",
                                "WIDTHxHEIGHT in px, 64 .. 8192 each, not " + text);
-}
-
-/// "255,255,255", as pcl_viewer takes it
-void setBackground(ViewerOptions& options, const std::string& text)
-{
-  float rgb[3];
-  char comma = ',';
-  std::istringstream in(text);
-  for (float& c : rgb) {
-    if (comma != ',' || !(in >> c) || c < 0 || c > 255)
-      throw CLI::ValidationError("-bc", "R,G,B of 0 .. 255 each, not " + text);
-    in >> comma;
-    c /= 255;
-  }
-  options.look.background = {rgb[0], rgb[1], rgb[2]};
 }
 
 std::optional<std::size_t> wholeNumber(const std::string& text)
@@ -176,28 +162,7 @@ void declare(CLI::App& app, ViewerOptions& o)
          "--size", [&o](const std::string& text) { setSize(o, text); }, "of the window")
       ->type_name("WxH")
       ->default_str("1280x800");
-  numberOption(app, "--ps", o.look.point_size, "PX", "size of points (also -ps)")
-      ->check(CLI::Range(1, 64));
-  app.add_option_function<std::string>(
-         "--bc",
-         [&o](const std::string& text) { setBackground(o, text); },
-         "colour of the background (also -bc)")
-      ->type_name("R,G,B")
-      ->default_str("255,255,255");
-  numberOption(app, "--ax", o.look.axes, "MM", "length of the axes (also -ax)")
-      ->default_str("a share of the part")
-      ->check(CLI::PositiveNumber);
-}
-
-std::vector<std::string> asLongOptions(int argc, char** argv)
-{
-  std::vector<std::string> words(argv + 1, argv + argc);
-  for (auto& word : words)
-    for (const char* name : {"-ps", "-bc", "-ax"})
-      if (word == name)
-        word.insert(0, 1, '-');
-  std::reverse(words.begin(), words.end());
-  return words;
+  declarePclLook(app, o.look);
 }
 
 ViewerLook lookOf(const ViewerOptions& o, const ViewerScene& scene)

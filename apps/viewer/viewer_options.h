@@ -28,10 +28,6 @@ struct ViewerOptions {
 /// @brief Declares the options.
 void declare(CLI::App& app, ViewerOptions& options);
 
-/// @brief pcl_viewer's options, which have one dash and several letters (-ps, -bc,
-/// -ax), as CLI11 takes them; in its order, last first.
-std::vector<std::string> asLongOptions(int argc, char** argv);
-
 /// @brief What is shown of the scene: what was asked for, else what there is.
 /// @throws ParameterError where there is no such level, finding or moment
 pointmill::ViewerLook lookOf(const ViewerOptions& options,
