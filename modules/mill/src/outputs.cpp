@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the PointMill authors
 #include "job_page.h"
+#include "print.h"
 #include "report.h"
 
 #include <pointmill/common/watch.h>
@@ -141,7 +142,7 @@ PreviewScene sceneOf(const MillJob& job, const std::string& title)
   const Quantiles& off =
       job.surfaceFigures().farthest > 0 ? v.raw_deviation : v.deviation;
   scene.figures = {
-      text("%.0f minutes of milling", job.minutes()),
+      hoursAndMinutes(job.minutes()) + " of milling",
       text("deepest gouge %.4f mm", v.gouge) +
           (job.surfaceFigures().farthest > 0 ? text(", as scanned %.3f mm", v.raw_gouge)
                                              : std::string()),
