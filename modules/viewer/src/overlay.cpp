@@ -153,6 +153,10 @@ void Overlay::layOut()
   shown(moment_);
   shown(hint_);
   shown(help_);
+  const std::array<int, 3> now = {width, height, visible_};
+  if (now == drawn_for_)
+    return;
+  drawn_for_ = now;
   for (const auto& prop : legend_props_)
     renderer_->RemoveViewProp(prop);
   legend_props_.clear();

@@ -9,6 +9,7 @@
 #include <vtkSmartPointer.h>
 #include <vtkTextActor.h>
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -33,7 +34,11 @@ public:
   void setMoment(const std::string& text, int room);
   /// @brief One line at the lower right.
   void setHint(const std::string& text) { hint_->SetInput(text.c_str()); }
-  void setLegends(std::vector<Legend> legends) { legends_ = std::move(legends); }
+  void setLegends(std::vector<Legend> legends)
+  {
+    legends_ = std::move(legends);
+    drawn_for_ = {};
+  }
   /// @brief In the middle; empty: nothing.
   void setHelp(const std::string& text);
   void setVisible(bool visible) { visible_ = visible; }
@@ -51,6 +56,7 @@ private:
   int room_ = 0;
   vtkSmartPointer<vtkTextActor> title_, moment_, hint_, help_;
   std::vector<Legend> legends_;
+  std::array<int, 3> drawn_for_{}; // width, height, visible; what legends stand for
   std::vector<vtkSmartPointer<vtkProp>> legend_props_;
 };
 

@@ -48,7 +48,7 @@ PathColours::PathColours(const ViewerScene& scene, PathColouring by)
   low_ = std::numeric_limits<float>::infinity();
   high_ = -low_;
   for (const PointCL& p : *scene.path) {
-    if (p.getMotion() == Motion::Rapid || p.getMotion() == Motion::Retract)
+    if (isRapid(p))
       continue;
     low_ = std::min(low_, figureOf(p, by));
     high_ = std::max(high_, figureOf(p, by));

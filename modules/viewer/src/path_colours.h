@@ -11,6 +11,12 @@
 
 namespace pointmill::viewer {
 
+/// @brief Whether the tool arrives in the air, at the machine's own speed.
+inline bool isRapid(const PointCL& p)
+{
+  return p.getMotion() == Motion::Rapid || p.getMotion() == Motion::Retract;
+}
+
 inline bool same(const visual::Rgb& a, const visual::Rgb& b)
 {
   return a.r == b.r && a.g == b.g && a.b == b.b;

@@ -16,12 +16,7 @@ namespace pointmill::viewer {
 
 namespace {
 
-bool isRapid(const PointCL& p)
-{
-  return p.getMotion() == Motion::Rapid || p.getMotion() == Motion::Retract;
-}
-
-/// Calls body(before, arriving, operation, first of its operation) for each move.
+/// Calls body(before, arriving, operation) for each move.
 template <typename Body>
 void forEachMove(const ViewerScene& scene, const Body& body)
 {

@@ -129,9 +129,7 @@ private:
 
 } // namespace
 
-vtkSmartPointer<vtkActor> partPoints(const pcl::PointCloud<pcl::PointXYZ>& part,
-                                     const CellCloud* map,
-                                     std::size_t stride)
+std::pair<float, float> heightsOf(const pcl::PointCloud<pcl::PointXYZ>& part)
 {
   float low = std::numeric_limits<float>::infinity(), high = -low;
   for (const auto& p : part)
@@ -139,6 +137,14 @@ vtkSmartPointer<vtkActor> partPoints(const pcl::PointCloud<pcl::PointXYZ>& part,
       low = std::min(low, p.z);
       high = std::max(high, p.z);
     }
+  return {low, high};
+}
+
+vtkSmartPointer<vtkActor> partPoints(const pcl::PointCloud<pcl::PointXYZ>& part,
+                                     const CellCloud* map,
+                                     std::size_t stride)
+{
+  const auto [low, high] = heightsOf(part);
   const bool lit = map && map->width > 1 && map->height > 1;
   std::optional<Slopes> slopes;
   if (lit)

@@ -146,11 +146,11 @@ void SceneProps::showSolid(const ViewerLook& look)
     edges_->SetVisibility(look.box);
 }
 
-SceneProps::Dots SceneProps::dots(
+SceneProps::Detailed SceneProps::dots(
     std::size_t points,
     const std::function<vtkSmartPointer<vtkActor>(std::size_t stride)>& make)
 {
-  Dots made;
+  Detailed made;
   made.visible = true;
   made.full = made.coarse = make(1);
   if (points > kMovingPart)
@@ -164,13 +164,13 @@ void SceneProps::showPaths(const ViewerLook& look)
 {
   const bool shown = scene_.path && (look.paths == ViewedPaths::All ||
                                      look.paths == ViewedPaths::Level);
-  paths_visible_ = shown;
+  paths_.visible = shown;
   setMoving(moving_);
   if (rapids_)
     rapids_->SetVisibility(shown && look.rapids);
   if (!shown)
     return;
-  if (paths_ && paths_shown_ == look.paths && paths_colouring_ == look.colouring &&
+  if (paths_.full && paths_shown_ == look.paths && paths_colouring_ == look.colouring &&
       (look.paths == ViewedPaths::All || paths_level_ == look.level))
     return;
   paths_shown_ = look.paths;
@@ -186,7 +186,7 @@ void SceneProps::showPaths(const ViewerLook& look)
       return p.z >= low && p.z < high;
     };
   }
-  for (auto* old : {paths_.Get(), coarse_paths_.Get(), rapids_.Get()})
+  for (auto* old : {paths_.full.Get(), paths_.coarse.Get(), rapids_.Get()})
     if (old)
       renderer_->RemoveActor(old);
   const PathColours colours(scene_, look.colouring);
@@ -198,13 +198,12 @@ void SceneProps::showPaths(const ViewerLook& look)
     renderer_->AddActor(actor);
     return actor;
   };
-  paths_ = lines(0);
-  coarse_paths_ = paths_;
-  for (double coarse = diagonal_ / 1000; pointsOf(coarse_paths_) > kMovingPath;
+  paths_.full = paths_.coarse = lines(0);
+  for (double coarse = diagonal_ / 1000; pointsOf(paths_.coarse) > kMovingPath;
        coarse *= 2) {
-    if (coarse_paths_ != paths_)
-      renderer_->RemoveActor(coarse_paths_);
-    coarse_paths_ = lines(coarse);
+    if (paths_.coarse != paths_.full)
+      renderer_->RemoveActor(paths_.coarse);
+    paths_.coarse = lines(coarse);
     if (coarse > diagonal_)
       break; // strips of two points each are all there is
   }
@@ -223,16 +222,14 @@ void SceneProps::showPaths(const ViewerLook& look)
 void SceneProps::setMoving(bool moving)
 {
   moving_ = moving;
-  const auto choose = [moving](vtkActor* full, vtkActor* coarse, bool visible) {
-    if (!full)
-      return;
-    full->SetVisibility(visible && !(moving && coarse != full));
-    if (coarse != full)
-      coarse->SetVisibility(visible && moving);
-  };
-  choose(paths_, coarse_paths_, paths_visible_);
-  choose(part_.full, part_.coarse, part_.visible);
-  choose(deviation_.full, deviation_.coarse, deviation_.visible);
+  for (const Detailed* shown : {&paths_, &part_, &deviation_}) {
+    if (!shown->full)
+      continue;
+    const bool two = shown->coarse != shown->full;
+    shown->full->SetVisibility(shown->visible && !(moving && two));
+    if (two)
+      shown->coarse->SetVisibility(shown->visible && moving);
+  }
 }
 
 void SceneProps::showTrail(const ViewerLook& look)
@@ -342,7 +339,9 @@ void SceneProps::showTexts(const ViewerLook& look, int room)
   overlay_.setVisible(look.texts);
   overlay_.setTitle(scene_.title);
   overlay_.setMoment(momentText(scene_, levels_, look), room);
-  overlay_.setLegends(legendsOf(scene_, look, deviation_scale_));
+  if (!legends_of_ || !sameLegends(*legends_of_, look)) // they look at every point
+    overlay_.setLegends(legendsOf(scene_, look, deviation_scale_));
+  legends_of_ = look;
   overlay_.layOut();
 }
 

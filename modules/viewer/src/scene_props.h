@@ -44,13 +44,14 @@ public:
   void aim(const ViewerLook& look);
 
 private:
-  /// Points, and fewer of them for while the view moves; the same where they are few.
-  struct Dots {
+  /// Points or lines, and fewer for while the view moves; the same where they are few.
+  struct Detailed {
     vtkSmartPointer<vtkActor> full, coarse;
     bool visible = false;
   };
-  Dots dots(std::size_t points,
-            const std::function<vtkSmartPointer<vtkActor>(std::size_t stride)>& make);
+  Detailed
+  dots(std::size_t points,
+       const std::function<vtkSmartPointer<vtkActor>(std::size_t stride)>& make);
   void showSolid(const ViewerLook& look);
   void showPaths(const ViewerLook& look);
   void showTrail(const ViewerLook& look);
@@ -66,12 +67,11 @@ private:
   double diagonal_ = 1.0; // of all that is shown [mm]
   Eigen::AlignedBox3d box_, box_with_paths_;
   std::optional<StockSurface> stock_;
-  Dots part_, deviation_;
+  Detailed part_, deviation_, paths_;
   vtkSmartPointer<vtkActor> edges_, trail_, rapids_, sheet_;
   visual::DeviationScale deviation_scale_{0.02, 0.2};
-  /// Of all points, and of fewer while the view moves; the same where they are few.
-  vtkSmartPointer<vtkActor> paths_, coarse_paths_;
-  bool moving_ = false, paths_visible_ = false;
+  bool moving_ = false;
+  std::optional<ViewerLook> legends_of_; // that stand there
   std::map<int, vtkSmartPointer<vtkProp3D>> tools_;
   std::optional<double> stock_time_; // of the cut that is shown
   std::vector<vtkSmartPointer<vtkProp>> marks_;

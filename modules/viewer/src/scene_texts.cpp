@@ -7,9 +7,7 @@
 #include "words.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
-#include <limits>
 
 namespace pointmill::viewer {
 
@@ -31,12 +29,7 @@ Legend stockLegend(const ViewerScene& scene)
 
 Legend heightLegend(const pcl::PointCloud<pcl::PointXYZ>& part)
 {
-  float low = std::numeric_limits<float>::infinity(), high = -low;
-  for (const auto& p : part)
-    if (std::isfinite(p.z)) {
-      low = std::min(low, p.z);
-      high = std::max(high, p.z);
-    }
+  const auto [low, high] = heightsOf(part);
   Legend bar{"height, mm", {}, true};
   constexpr int steps = 4;
   for (int i = 0; i <= steps; ++i) {
@@ -70,9 +63,7 @@ std::string momentText(const ViewerScene& scene,
   const ProgramMove& move = program.moves[player.move()];
   text += clockText(player.time()) + " of " + clockText(player.duration());
   if (look.playing)
-    text += *look.playing ? "   playing" : "   stopped";
-  if (look.playing)
-    text += " x" + numberText(look.speed);
+    text += (*look.playing ? "   playing x" : "   stopped x") + numberText(look.speed);
   text += "   " + program.where(move.line);
   if (player.sectionOf(player.move()) < program.sections.size())
     text += "   " + program.sections[player.sectionOf(player.move())].name;

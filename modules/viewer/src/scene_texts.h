@@ -17,6 +17,14 @@ std::string momentText(const ViewerScene& scene,
                        const std::vector<double>& levels,
                        const ViewerLook& look);
 
+/// @brief Whether legendsOf() says the same of both.
+inline bool sameLegends(const ViewerLook& a, const ViewerLook& b)
+{
+  return a.solid == b.solid && a.paths == b.paths && a.colouring == b.colouring &&
+         a.rapids == b.rapids && a.map == b.map &&
+         a.level.has_value() == b.level.has_value();
+}
+
 /// @brief What the colours mean that a look shows.
 std::vector<Legend> legendsOf(const ViewerScene& scene,
                               const ViewerLook& look,

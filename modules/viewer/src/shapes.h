@@ -16,6 +16,8 @@
 #include <vtkProp3D.h>
 #include <vtkSmartPointer.h>
 
+#include <utility>
+
 namespace pointmill::viewer {
 
 /// @brief Lines that lie in a surface are seen on it.
@@ -40,6 +42,9 @@ inline visual::Rgb sheetColour(visual::OccupancyKind kind)
 
 /// @brief The bi-colour map at a level, as a sheet at its height.
 vtkSmartPointer<vtkActor> levelSheet(const CellCloud& map, double level_z);
+
+/// @brief The lowest and the highest of the points [mm].
+std::pair<float, float> heightsOf(const pcl::PointCloud<pcl::PointXYZ>& part);
 
 /// @brief The points of the part, coloured by height; lit by the slopes of the map
 /// where there is one.

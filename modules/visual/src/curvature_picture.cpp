@@ -69,8 +69,8 @@ void writeCurvature(const std::string& path,
   for (const Tool& ball : balls)
     scale.steps.push_back(1 / ball.corner_radius);
   // The marks of all tools are on the bar, and a piece of it behind the last.
-  scale.range = balls.empty() ? rangeOf(hollow, ridge) : 1.5 * scale.steps.back();
-  rangeOf(hollow, ridge);
+  const double range = rangeOf(hollow, ridge); // throws where nothing is known
+  scale.range = balls.empty() ? range : 1.5 * scale.steps.back();
 
   std::size_t known = 0, tight = 0;
   CellSheet sheet(
