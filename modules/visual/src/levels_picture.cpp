@@ -3,6 +3,7 @@
 #include "canvas_png.h"
 #include "grid.h"
 #include "ruler.h"
+#include "swatches.h"
 #include "text.h"
 #include <pointmill/visual/occupancy_kind.h>
 
@@ -105,18 +106,13 @@ void writeLevels(const std::string& path,
                tiles.width,
                tiles.width / (grid.columns() * std::abs(grid.stepX())),
                text);
-  int x = kWidth - kMargin;
-  const std::pair<OccupancyKind, const char*> kinds[] = {
-      {OccupancyKind::Protected, "gap, protected"},
-      {OccupancyKind::Free, "free"},
-      {OccupancyKind::Occupied, "part"}};
-  for (const auto& [kind, name] : kinds) { // from the right
-    x -= textWidth(name, text);
-    drawText(canvas, x, foot, name, text);
-    x -= 30;
-    canvas.fillRound({x, foot - 10, 20, 20}, 4.f, colourOf(kind));
-    x -= 28;
-  }
+  drawSwatches(canvas,
+               kWidth - kMargin,
+               foot,
+               {{colourOf(OccupancyKind::Protected), "gap, protected"},
+                {colourOf(OccupancyKind::Free), "free"},
+                {colourOf(OccupancyKind::Occupied), "part"}},
+               text);
   writePng(path, canvas);
 }
 

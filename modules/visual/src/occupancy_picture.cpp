@@ -4,6 +4,7 @@
 #include "cell_sheet.h"
 #include "grid.h"
 #include "ruler.h"
+#include "swatches.h"
 #include "text.h"
 
 #include <pointmill/visual/occupancy_kind.h>
@@ -11,6 +12,8 @@
 
 #include <array>
 #include <cmath>
+#include <string>
+#include <utility>
 
 namespace pointmill {
 
@@ -30,22 +33,20 @@ void writeOccupancy(const std::string& path, const CellCloud& map, double level_
 
   Canvas& canvas = sheet.canvas();
   const TextStyle text = CellSheet::text();
-  const int foot = sheet.footMiddle();
-  const char* const names[] = {"free", "part", "gap, protected"};
   const auto total = static_cast<double>(map.size());
-  int x = sheet.right(); // and on to the left
-  for (const Kind kind : {Kind::Protected, Kind::Free, Kind::Occupied}) {
-    const auto k = static_cast<std::size_t>(kind);
-    const std::string label =
-        std::string(names[k]) + " " +
-        number(std::round(1000.0 * static_cast<double>(count[k]) / total) / 10.0) +
-        " %";
-    x -= textWidth(label, text);
-    drawText(canvas, x, foot, label, text);
-    x -= 30;
-    canvas.fillRound({x, foot - 10, 20, 20}, 4.f, colourOf(kind));
-    x -= 28;
-  }
+  const auto item = [&](Kind kind, const std::string& name) {
+    const double share =
+        static_cast<double>(count[static_cast<std::size_t>(kind)]) / total;
+    return std::make_pair(
+        colourOf(kind), name + " " + number(std::round(1000.0 * share) / 10.0) + " %");
+  };
+  drawSwatches(canvas,
+               sheet.right(),
+               sheet.footMiddle(),
+               {item(Kind::Protected, "gap, protected"),
+                item(Kind::Free, "free"),
+                item(Kind::Occupied, "part")},
+               text);
   writePng(path, canvas);
 }
 
