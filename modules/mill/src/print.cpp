@@ -3,20 +3,8 @@
 #include "print.h"
 
 #include <cmath>
-#include <cstdarg>
-#include <cstdio>
 
 namespace pointmill {
-
-std::string print(const char* format, ...)
-{
-  char text[512];
-  va_list arguments;
-  va_start(arguments, format);
-  std::vsnprintf(text, sizeof text, format, arguments);
-  va_end(arguments);
-  return text;
-}
 
 std::string hoursAndMinutes(double minutes)
 {

@@ -2,28 +2,14 @@
 // Copyright (c) 2026, the PointMill authors
 #pragma once
 
+#include <pointmill/common/print.h>
 #include <pointmill/page/html.h>
 
-#include <cstdarg>
-#include <cstdio>
 #include <string>
 
 namespace pointmill::svg {
 
-/// @brief What printf would print, for markup without texts of others.
-#if defined(__GNUC__)
-__attribute__((format(printf, 1, 2)))
-#endif
-inline std::string
-print(const char* format, ...)
-{
-  char text[512];
-  va_list arguments;
-  va_start(arguments, format);
-  std::vsnprintf(text, sizeof text, format, arguments);
-  va_end(arguments);
-  return text;
-}
+using pointmill::print;
 
 /// @brief A text at (x, y). @param attributes as they are to be written
 inline std::string
